@@ -6,6 +6,7 @@
 #include "server/config/config_ground.hpp"
 #include "server/config/config_landmarks.hpp"
 #include "server/config/field_json.hpp"
+#include "server/exercise/checkpoint.hpp"
 #include "server/physics/ship/hull_surface.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -188,6 +189,14 @@ void check_start_at_anchor(const exercise::ExerciseDef& def, Faults& faults) {
     }
 }
 
+/// Texts that no checkpoint could keep.
+void check_texts(const exercise::ExerciseDef& def, Faults& faults) {
+    for (const auto& [at, text] :
+         {std::pair("/landmarks", &def.landmarks), std::pair("/lesson", &def.lesson)})
+        faults.require(text->size() <= exercise::kMaxText, at, static_cast<double>(text->size()),
+                       fmt::format("at most {} bytes of JSON", exercise::kMaxText));
+}
+
 /// Names that lead nowhere, figures that do not go together: what the lesson's schema cannot say.
 void check_lesson(const exercise::ExerciseDef& def, Faults& faults) {
     if (def.lesson.empty()) return;
@@ -212,6 +221,7 @@ std::vector<std::string> physical_faults(const exercise::ExerciseDef& def) {
     check_weather(def, faults);
     for (const std::string& fault : ground_faults(def.environment))
         faults.lines.push_back(fault);
+    check_texts(def, faults);
     for (const std::string& fault : landmark_faults(def.landmarks))
         faults.lines.push_back(fault);
     for (const std::string& fault : order_faults(def))

@@ -34,6 +34,14 @@ void check_light(const Json& mark, const std::string& at, std::vector<std::strin
     }
 }
 
+/// The wire counts bytes where the schema counts characters.
+void check_name(const Json& named, const std::string& at, std::vector<std::string>& faults) {
+    constexpr std::size_t kMaxName = 32;
+    if (named["name"].get_ref<const std::string&>().size() > kMaxName)
+        faults.push_back(fmt::format("{}/name: {} is not allowed: at most {} bytes of UTF-8", at,
+                                     named["name"].dump(), kMaxName));
+}
+
 } // namespace
 
 std::vector<std::string> landmark_faults(const std::string& landmarks) {
@@ -53,9 +61,11 @@ std::vector<std::string> landmark_faults(const std::string& landmarks) {
         if (!names.insert(marks[k]["name"]).second)
             faults.push_back(
                 fmt::format("{}/name: {} is not allowed: another mark has it", at, marks[k]["name"].dump()));
+        check_name(marks[k], at, faults);
         check_light(marks[k], at, faults);
     }
     for (std::size_t k = 0; k < transits.size(); ++k) {
+        check_name(transits[k], fmt::format("/landmarks/transits/{}", k), faults);
         for (const char* end : {"front", "rear"})
             if (!names.contains(transits[k][end]))
                 faults.push_back(

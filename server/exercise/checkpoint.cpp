@@ -89,7 +89,6 @@ private:
     /// Nothing that is measured in SI comes near it, and its square is a number still.
     static constexpr double kMaxNumber = 1e25;
     static constexpr std::int64_t kMaxInteger = 1LL << 53; // where a double still has every one
-    static constexpr std::size_t kMaxText = 65536;         // a lesson's
     const std::vector<std::uint8_t>& bytes_;
     std::size_t at_ = 0;
     std::string path_;

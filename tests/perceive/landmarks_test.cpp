@@ -6,6 +6,7 @@
 #include "server/perceive/landmarks.hpp"
 
 #include <gmock/gmock.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <numbers>
 
@@ -86,6 +87,42 @@ TEST(LandmarksOfAnExercise, ComeBackWithACheckpointAndAreOfItsDefinition) {
     const auto kept = exercise::read_checkpoint(exercise::write_checkpoint(exercise::Exercise(def)),
                                                 config::check_definition);
     EXPECT_EQ(described(kept.def()), described(def));
+}
+
+TEST(LandmarksOfAnExercise, OfBytesThatSayAnythingMakeNoExercise) {
+    for (const std::string& text :
+         {std::string("{"), std::string("[1]"), std::string(R"({"marks": 1})"),
+          std::string(R"({"marks": [{}]})"),
+          std::string(R"({"coasts": [{"colour": "#zz", "shore": [[0, 0], [1, 1]], "ridge": [[0, 0, 1]]}]})"),
+          std::string(R"({"position": {"latitude_deg": 1e999, "longitude_deg": 0}})"),
+          std::string(30000, '['), std::string(10, '\xff')}) {
+        exercise::ExerciseDef def;
+        def.landmarks = text;
+        const auto bytes = exercise::write_checkpoint(exercise::Exercise(def));
+        EXPECT_THROW(exercise::read_checkpoint(bytes, config::check_definition), exercise::CheckpointError)
+            << text.substr(0, 60);
+    }
+}
+
+TEST(LandmarksOfAnExercise, AreNoLongerThanWireAndCheckpointKeep) {
+    std::string umlauts;
+    for (int k = 0; k < 17; ++k)
+        umlauts += "\u00fc"; // 34 bytes, 17 characters
+    EXPECT_THAT(refusal(R"({"marks": [{"name": ")" + umlauts +
+                        R"(", "kind": "tower", "x": 1, "y": 2, "height": 3}]})"),
+                HasSubstr("at most 32 bytes of UTF-8"));
+    std::string coasts; // each of which the schema allows
+    for (int k = 0; k < 16; ++k) {
+        std::string shore, ridge;
+        for (int point = 0; point < 256; ++point) {
+            shore += fmt::format("{}[{}.125, 10000.125]", point ? ", " : "", 1000 + point);
+            ridge += fmt::format("{}[{}.125, 10000.125, 100]", point ? ", " : "", 1000 + point);
+        }
+        coasts += fmt::format(R"({}{{"colour": "#4c5f4e", "shore": [{}], "ridge": [{}]}})", k ? ", " : "",
+                              shore, ridge);
+    }
+    EXPECT_THAT(refusal(R"({"coasts": [)" + coasts + "]}"),
+                ::testing::ContainsRegex("/landmarks: [0-9]+ is not allowed: at most 65536 bytes"));
 }
 
 TEST(LandmarksOfAnExercise, AreRefusedWhereTheyDoNotFitTogether) {
