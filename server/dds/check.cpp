@@ -150,6 +150,14 @@ void check_trigger(Checker& check, const FaultCommand& sample) {
     }
 }
 
+/// "pay out to" wants a figure, and none is nought; "hold on" may be bare.
+double least_figure(BridgeOrderCode code) {
+    constexpr double kLeast = 0.1; // shackles or m
+    if (code >= words::kBridgeOrderCode.size()) return 0;
+    const auto& row = words::kBridgeOrderCode[code];
+    return row.unit == words::Unit::none || !row.said_bare.empty() ? 0 : kLeast;
+}
+
 } // namespace
 
 std::optional<run::Refusal> refusal(const WindlassCommand& sample, const run::Limits& limits) {
@@ -277,7 +285,7 @@ std::optional<run::Refusal> refusal(const BridgeOrderCommand& sample, const run:
     Checker check("BridgeOrderCommand", sample.origin(), sample.side());
     check.known("code", sample.code(), kLastBridgeOrder)
         .any_side(sample.side())
-        .range("value", sample.value(), 0, kOrderValueMax)
+        .range("value", sample.value(), least_figure(sample.code()), kOrderValueMax)
         .text("text", sample.text().to_string())
         .range("repeat_within", sample.repeat_within(), 0, kOrderDeadlineMax, " s")
         .range("do_within", sample.do_within(), 0, kOrderDeadlineMax, " s");

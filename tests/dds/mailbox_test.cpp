@@ -236,6 +236,14 @@ TEST(Check, BridgeOrderThatSaysNothingIsRefused) {
     sample.value(kNan);
     EXPECT_EQ(refusal(sample, kLimits)->field, "value");
     sample.value(0);
+    EXPECT_FALSE(refusal(sample, kLimits)) << "hold on where you are";
+    sample.code(BRIDGE_ORDER_PAY_OUT);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "value") << "pay out to nothing";
+    sample.code(BRIDGE_ORDER_HEAVE_TO);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "value");
+    sample.value(2);
+    EXPECT_FALSE(refusal(sample, kLimits));
+    sample.value(0);
     sample.code(BRIDGE_ORDER_CANCEL);
     EXPECT_EQ(refusal(sample, kLimits)->field, "cancels");
 }
