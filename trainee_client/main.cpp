@@ -79,6 +79,27 @@ station::Seat seat_of(const Options& options) {
     return options.seat == "bridge" ? station::Seat::conning : station::Seat::trainee;
 }
 
+/// The script that was asked for. Throws ConfigError: also of what the seat cannot do, which nobody would
+/// hear.
+trainee::Script script_of(const Options& options) {
+    trainee::Script script =
+        trainee::load_script(options.script, options.coach ? trainee::Eyes::coach : trainee::Eyes::seat);
+    const station::Seat seat = seat_of(options);
+    const auto refuse = [&](const std::string& place, const char* needed) {
+        throw ConfigError(fmt::format("{}: {} is not allowed at --seat {}: {}", options.script, place,
+                                      options.seat, needed));
+    };
+    if (script.mate && !station::on_forecastle(seat)) refuse("/mate", "forecastle or ship");
+    for (std::size_t k = 0; k < script.steps.size(); ++k) {
+        const trainee::Step& step = script.steps[k];
+        const auto at = [k](const char* name) { return fmt::format("/steps/{}/{}", k, name); };
+        if (step.order && seat != station::Seat::conning) refuse(at("order"), "bridge");
+        if (step.report && !station::on_forecastle(seat)) refuse(at("report"), "forecastle or ship");
+        if (step.show && !station::on_bridge(seat)) refuse(at("show"), "bridge or ship");
+    }
+    return script;
+}
+
 ViewKind view_kind(const Options& options) {
     if (options.view == "none") return ViewKind::none;
     return options.json ? ViewKind::json : ViewKind::line;
@@ -148,9 +169,7 @@ int host_pages(const Options& options) {
 int run(const Options& options) {
     if (options.ui) return host_pages(options);
     std::optional<trainee::Script> script;
-    if (!options.script.empty())
-        script =
-            trainee::load_script(options.script, options.coach ? trainee::Eyes::coach : trainee::Eyes::seat);
+    if (!options.script.empty()) script = script_of(options);
     int side = script ? script->side : SIDE_PORT;
     if (!options.side.empty()) side = options.side == "starboard" ? SIDE_STARBOARD : SIDE_PORT;
     const bool with_script = script.has_value();

@@ -322,6 +322,21 @@ TEST(Programs, RefuseAScriptThatLooksAtTheTruthUnlessACoachPlaysIt) {
     EXPECT_EQ(run(trainee + lonely() + script + "--coach").code, 4); // taken; there is no server
 }
 
+TEST(Programs, RefuseAScriptThatTheirSeatCannotPlay) {
+    const std::string scripts = " --connect 0.2 --script " WINDLASS_CONFIG_DIR "/scripts/";
+    for (const auto& [played, place] : std::vector<std::pair<std::string, std::string>>{
+             {"L27_good.json --seat ship", "/steps/0/order is not allowed at --seat ship: bridge"},
+             {"L01_good.json --seat bridge", "report is not allowed at --seat bridge: forecastle or ship"},
+             {"L27_good.json --seat forecastle", "is not allowed at --seat forecastle: bridge"},
+             {"mate_port.json --seat bridge", "/mate is not allowed at --seat bridge: forecastle or ship"}}) {
+        const Ending ending = run(trainee + lonely() + scripts + played);
+        EXPECT_EQ(ending.code, 3) << played;
+        EXPECT_THAT(ending.text, HasSubstr(place));
+    }
+    EXPECT_EQ(run(trainee + lonely() + scripts + "L27_good.json --seat bridge").code,
+              4); // there is no server
+}
+
 TEST(Programs, EndWithCode4WhereNoServerIs) {
     Ending ending = run(trainee + lonely() + "--connect 0.5 --view line");
     EXPECT_EQ(ending.code, 4);
