@@ -203,6 +203,26 @@ TEST(ReplayProgram, IsSteeredByTopicAndShownAsReplay) {
     EXPECT_THAT(shown.text(), HasSubstr("stopped by control-"));
 }
 
+TEST(ReplayProgram, TellsItsStreamsAgainWhileItStands) {
+    const Folder folder;
+    ASSERT_EQ(record_exercise(folder / "live", "3"), 0);
+    ChildProcess shown(replay(folder / "live", {"--paused", "--stay", "--start", "2"}));
+    Watcher station;
+    ASSERT_TRUE(station.until([](const Heard& heard) { return heard.status.state() == RUN_REPLAY; }))
+        << shown.text();
+    // Comes after the jump: a stream is not kept for it, as one that a busy page missed is not.
+    wire::Participant participant({own_domain(), "exercise/replay", "listener"});
+    std::atomic<double> time = -1;
+    std::atomic<int> heard = 0;
+    const wire::Reader<WindlassLoad> late(participant, wire::topics::windlass_load,
+                                          [&](const WindlassLoad& load) {
+                                              time = load.time();
+                                              ++heard;
+                                          });
+    EXPECT_TRUE(eventually([&] { return heard >= 2; }));
+    EXPECT_NEAR(time, station.heard().status.time(), 0.3); // of the moment, not of where it began
+}
+
 TEST(ReplayProgram, GoesNowhereWhereALiveServerIs) {
     const Folder folder;
     ASSERT_EQ(record_exercise(folder / "live", "3"), 0);
