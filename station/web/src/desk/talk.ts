@@ -5,7 +5,7 @@ import { orderMayBeBare, orderState, orderUnit, written } from "../kit/orders";
 import { cableSpeeds, celsius, clock, figure, loads, shackles } from "../kit/units";
 import { orderRows, reportText, saidOf, withSide } from "../kit/words";
 import type { Connection } from "../wire/connection";
-import { BridgeOrderCode, BridgeOrderState, type Report, ReportCode } from "../wire/generated";
+import { type BridgeOrder, BridgeOrderCode, BridgeOrderState, type Report, ReportCode } from "../wire/generated";
 import type { Desk } from "./desk";
 import { anchorPhase } from "./truth";
 
@@ -114,11 +114,13 @@ export class TalkPanel {
     this.element = h("div", { class: "talk-panel" }, this.list, form);
     const { link } = desk;
     link.on("ExerciseStatus", (status) => {
-      if (this.run !== -1 && status.run !== this.run && !desk.replay) this.backTo(status.time);
+      if (status.run === this.run) return;
+      if (this.run !== -1 && !desk.replay) this.backTo(status.time);
       this.run = status.run;
+      for (const order of link.all("BridgeOrder")) this.takeOrder(order); // what came before it was known
     });
     link.onState((state) => state === "lost" && this.clear());
-    link.on("BridgeOrder", (order) => this.takeOrder(order.number));
+    link.on("BridgeOrder", (order) => this.takeOrder(order));
     link.on("Report", (report) => this.takeReport(report));
     desk.events.onChange((event) => {
       if (!event || (event.code !== "report.made" && event.code !== "report.not_heard")) return;
@@ -184,14 +186,14 @@ export class TalkPanel {
     if (sent) this.words.value = "";
   }
 
-  private takeOrder(number: number): void {
-    const order = this.desk.link.latest("BridgeOrder", number);
-    if (!order) return;
-    let row = this.orders.get(number);
+  /** An order of the run before may come late, or be known still; it was not given in this one. */
+  private takeOrder(order: BridgeOrder): void {
+    if (order.run !== this.run) return;
+    let row = this.orders.get(order.number);
     if (!row) {
       const state = h("span", { class: "quiet" });
       row = { said: this.add(order.time, order.side, false, written(order), state), state };
-      this.orders.set(number, row);
+      this.orders.set(order.number, row);
     }
     setText(row.state, orderState(order.state));
     row.said.element.dataset.state = BridgeOrderState[order.state];
