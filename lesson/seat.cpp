@@ -112,6 +112,9 @@ void Seat::perform(const trainee::Step& step, std::vector<run::ReceivedOrder>& o
     if (step.show)
         orders.push_back({name_, exercise::Order{exercise::LightsAndShapes{step.show->anchor_ball,
                                                                            step.show->anchor_lights}}});
+    if (step.circle)
+        orders.push_back({name_, exercise::Order{exercise::WatchCircleOrder{
+                                     true, step.circle->x, step.circle->y, step.circle->radius}}});
     if (step.report) orders.push_back({name_, exercise::Order{made(*step.report, side_, picture_)}});
     if (step.order)
         orders.push_back({name_, exercise::Order{exercise::BridgeOrderGiven{

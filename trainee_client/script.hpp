@@ -91,10 +91,16 @@ struct Shown {
     bool anchor_lights = false;
 };
 
+/// The anchor watch that the bridge keeps from now on.
+struct Circle {
+    double x = 0, y = 0, radius = 0; ///< m, world
+};
+
 struct Step {
     Condition when;
     Orders orders;
     std::optional<Shown> show;
+    std::optional<Circle> circle;
     std::optional<ReportOrder> report;
     std::optional<BridgesOrder> order;
     std::string say;

@@ -131,6 +131,10 @@ Step read_step(const json& object, double default_timeout) {
     if (object.contains("show"))
         step.show = {.anchor_ball = object.at("show").at("anchor_ball").get<bool>(),
                      .anchor_lights = object.at("show").at("anchor_lights").get<bool>()};
+    if (object.contains("circle"))
+        step.circle = {.x = object.at("circle").at("x").get<double>(),
+                       .y = object.at("circle").at("y").get<double>(),
+                       .radius = object.at("circle").at("radius").get<double>()};
     if (object.contains("report")) step.report = read_report(object.at("report"));
     if (object.contains("order")) step.order = read_bridges_order(object.at("order"));
     step.say = object.value("say", "");

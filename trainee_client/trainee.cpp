@@ -21,8 +21,10 @@ Trainee::Trainee(station::Client& client, int side, std::optional<Script> script
       view_{view},
       levers_{client, side, station::LeverSender::kScriptStrength} {
     if (station::on_forecastle(client.seat())) reports_.emplace(client.participant(), wire::topics::report);
-    if (station::on_bridge(client.seat()))
+    if (station::on_bridge(client.seat())) {
         lights_and_shapes_.emplace(client.participant(), wire::topics::lights_and_shapes_command);
+        circles_.emplace(client.participant(), wire::topics::watch_circle);
+    }
     if (client.seat() == station::Seat::conning)
         orders_.emplace(client.participant(), wire::topics::bridge_order_command);
     if (const auto status = client.picture().status) came_at_ = status->time();
@@ -31,6 +33,7 @@ Trainee::Trainee(station::Client& client, int side, std::optional<Script> script
 
 Trainee::~Trainee() {
     if (orders_) orders_->wait_acknowledged(std::chrono::seconds{1});
+    if (circles_) circles_->wait_acknowledged(std::chrono::seconds{1});
     if (lights_and_shapes_) lights_and_shapes_->wait_acknowledged(std::chrono::seconds{1});
     if (reports_) reports_->wait_acknowledged(std::chrono::seconds{1});
 }
@@ -77,7 +80,7 @@ Trainee::Outcome Trainee::work() {
 bool Trainee::heard() const {
     return (!reports_ || client_.server_hears(*reports_)) &&
            (!lights_and_shapes_ || client_.server_hears(*lights_and_shapes_)) &&
-           (!orders_ || client_.server_hears(*orders_));
+           (!circles_ || client_.server_hears(*circles_)) && (!orders_ || client_.server_hears(*orders_));
 }
 
 std::string Trainee::waiting_for() const {
@@ -88,6 +91,7 @@ void Trainee::perform(const Step& step, const Picture& picture) {
     if (step.orders.any()) levers_.move([&step](station::LeverSet& set) { step.orders.apply(set); });
     if (!step.say.empty()) view_.note(picture, step.say);
     if (step.show) show(*step.show, picture);
+    if (step.circle) keep(*step.circle, picture);
     if (step.report) report(*step.report, picture);
     if (step.order) order(*step.order, picture);
 }
@@ -101,6 +105,18 @@ void Trainee::show(const Shown& shown, const Picture& picture) {
     view_.note(picture,
                fmt::format("{}anchor ball {}, anchor lights {}", sent ? "" : "NOT ORDERED, ",
                            shown.anchor_ball ? "hoisted" : "down", shown.anchor_lights ? "on" : "off"));
+}
+
+void Trainee::keep(const Circle& circle, const Picture& picture) {
+    WatchCircle command;
+    command.origin(client_.next_origin());
+    command.kept(true);
+    command.x(circle.x);
+    command.y(circle.y);
+    command.radius(circle.radius);
+    const bool sent = circles_ && circles_->write(command);
+    view_.note(picture, fmt::format("{}anchor watch: {:g} m round x {:.0f} m, y {:.0f} m",
+                                    sent ? "" : "NOT KEPT, ", circle.radius, circle.x, circle.y));
 }
 
 void Trainee::order(const BridgesOrder& order, const Picture& picture) {

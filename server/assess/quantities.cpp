@@ -29,6 +29,14 @@ double difference_of_cables(const Snapshot& seen) {
     return std::abs(seen.tackle[0].chain.cable_out - seen.tackle[1].chain.cable_out);
 }
 
+/// m, from the anchor to the centre of the bridge's watch circle; far off while none is kept.
+double circle_from_anchor(const Snapshot& seen, const TackleView& tackle) {
+    constexpr double kNone = 1e6;
+    const exercise::WatchCircleOrder& circle = seen.watch_circle;
+    if (!circle.kept) return kNone;
+    return std::hypot(circle.x - tackle.anchor.position.x(), circle.y - tackle.anchor.position.y());
+}
+
 /// Cable that lies on the bottom over the way that it could lie along: above 1 it lies in a heap. 1 m is the
 /// least way, since an anchor lies somewhere else than under the lip.
 double piled(const TackleView& tackle) {
@@ -104,6 +112,10 @@ constexpr std::array kQuantities{
     Quantity{"anchor_ball", "yes", "anchor ball shown", WINDLASS_OF(s.lights_and_shapes.anchor_ball ? 1 : 0)},
     Quantity{"anchor_lights", "yes", "anchor lights shown",
              WINDLASS_OF(s.lights_and_shapes.anchor_lights ? 1 : 0)},
+    Quantity{"circle_radius", "m", "of the bridge's watch circle, 0 while none is kept",
+             WINDLASS_OF(s.watch_circle.kept ? s.watch_circle.radius : 0)},
+    Quantity{"circle_from_anchor", "m", "anchor to the watch circle's centre",
+             WINDLASS_OF(circle_from_anchor(s, t))},
     Quantity{"wind_speed", "m/s", "mean wind", WINDLASS_OF(s.environment.now.wind_speed)},
 };
 
