@@ -1,18 +1,9 @@
 #include "server/keep/keeper.hpp"
 
 #include "common/thread_name.hpp"
+#include "server/keep/kept_folders.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
-#include <fcntl.h>
 #include <pthread.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <system_error>
 
 namespace windlass::keep {
 
@@ -22,48 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kWriteEvery = 10ms;           // what a server that is killed has not handed to the system yet
-constexpr auto kSyncEvery = 1s;              // what is lost when the power goes
-constexpr const char* kPrefix = "exercise-"; // an exercise may be called ".." or "aside"
-
-/// Who holds the lock, as it wrote itself into it.
-std::string holder(int descriptor) {
-    std::array<char, 32> text{};
-    const ssize_t read = pread(descriptor, text.data(), text.size() - 1, 0);
-    return read > 0 ? fmt::format("process {}", text.data()) : "another server";
-}
-
-/// Throws KeptError.
-int lock(const fs::path& folder) {
-    const fs::path path = folder / "lock";
-    const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (descriptor < 0)
-        throw KeptError(
-            fmt::format("{}: cannot be made: {}", path.string(), std::generic_category().message(errno)));
-    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-        const std::string who = holder(descriptor);
-        close(descriptor);
-        throw KeptError(fmt::format("{}: {} keeps its exercises here; each server has a folder of its own",
-                                    folder.string(), who));
-    }
-    const std::string self = std::to_string(getpid());
-    if (ftruncate(descriptor, 0) != 0 ||
-        pwrite(descriptor, self.data(), self.size(), 0) != static_cast<ssize_t>(self.size())) {
-        const int error = errno;
-        close(descriptor);
-        throw KeptError(
-            fmt::format("{}: cannot be written: {}", path.string(), std::generic_category().message(error)));
-    }
-    return descriptor;
-}
-
-fs::path made(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw KeptError(fmt::format("{}: this folder cannot be made: {}", folder.string(), error.message()));
-    return folder;
-}
+constexpr auto kWriteEvery = 10ms; // what a server that is killed has not handed to the system yet
+constexpr auto kSyncEvery = 1s;    // what is lost when the power goes
 
 /// Writes in what time the exercises leave, whatever the thread that began this one is.
 void leave_realtime() {
@@ -73,7 +24,7 @@ void leave_realtime() {
 
 } // namespace
 
-Keeper::Keeper(const fs::path& folder) : folder_(made(folder)), lock_(lock(folder_)) {
+Keeper::Keeper(const fs::path& folder) : folder_(folder), lock_(folder) {
     const ThreadName name("keep");
     writing_ = std::thread([this] { write(); });
     const ThreadName disk("keep-disk");
@@ -88,30 +39,18 @@ Keeper::~Keeper() {
     stopped_.notify_all();
     writing_.join();
     syncing_.join();
-    close(lock_);
-}
-
-fs::path Keeper::folder_of(const std::string& id) const {
-    return folder_ / (kPrefix + id);
 }
 
 std::vector<std::string> Keeper::kept() const {
-    std::vector<std::string> ids;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
-        const std::string name = entry.path().filename();
-        if (name.starts_with(kPrefix) && !kept_files(entry.path()).empty())
-            ids.push_back(name.substr(std::string(kPrefix).size()));
-    }
-    std::ranges::sort(ids);
-    return ids;
+    return kept_in(folder_);
 }
 
 std::optional<TakenUp> Keeper::take_up(const std::string& id, const TakeUp& wanted) const {
-    return keep::take_up(folder_of(id), id, folder_ / "aside", wanted);
+    return keep::take_up(folder_of(folder_, id), id, folder_ / "aside", wanted);
 }
 
 std::shared_ptr<KeptExercise> Keeper::keep(const std::string& id, std::uint64_t definition_hash) {
-    auto exercise = std::make_shared<KeptExercise>(folder_of(id), id, definition_hash);
+    auto exercise = std::make_shared<KeptExercise>(folder_of(folder_, id), id, definition_hash);
     const std::lock_guard guard(mutex_);
     exercises_.push_back(exercise);
     return exercise;

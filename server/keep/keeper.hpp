@@ -1,6 +1,7 @@
 #pragma once
 // Keeps the exercises of one server on disk, so that a server that is lost can take them up again.
 
+#include "server/keep/folder_lock.hpp"
 #include "server/keep/kept_exercise.hpp"
 #include "server/keep/take_up.hpp"
 
@@ -10,7 +11,7 @@
 namespace windlass::keep {
 
 /// Owns a folder: `exercise-ID` for each exercise that is kept, `aside` for what could not be gone on from,
-/// and `lock`, by which no other server uses it.
+/// and the lock on it.
 class Keeper {
 public:
     /// Makes the folder. Throws KeptError, saying what is wrong with it and who has it.
@@ -33,14 +34,13 @@ public:
     bool ends_in_order() const { return in_order_; }
 
 private:
-    std::filesystem::path folder_of(const std::string& id) const;
     void write();
     void sync();
     std::vector<std::shared_ptr<KeptExercise>> exercises();
     bool wait(std::chrono::milliseconds time);
 
     const std::filesystem::path folder_;
-    int lock_ = -1;
+    const FolderLock lock_;
     std::atomic<bool> in_order_{false};
     std::mutex mutex_;
     std::condition_variable stopped_;
