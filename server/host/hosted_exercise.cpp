@@ -17,6 +17,9 @@ using namespace std::chrono_literals;
 
 constexpr auto kShownEvery = 100ms;
 constexpr double kMeasuringTime = 1; // s
+/// What is hurried gives its thread back between two ticks, so that an exercise in real time waits for one at
+/// most.
+constexpr auto kLongestHurry = 2ms;
 
 void tell(const std::string& id, const exercise::ExerciseEvent& event) {
     constexpr std::array levels{spdlog::level::info, spdlog::level::warn, spdlog::level::warn,
@@ -130,8 +133,10 @@ void HostedExercise::set_aside(const char* why) noexcept {
 }
 
 void HostedExercise::beat() {
+    const auto began = Clock::now();
     int ticks = 0;
     for (int i = pacer_.ticks_per_beat(); i > 0 && !session_.ended(); --i) {
+        if (ticks > 0 && pacer_.hurried() && Clock::now() - began > kLongestHurry) break;
         const double now = seconds(Clock::now());
         if (mailbox_.empty()) {
             inbox_.clear();

@@ -36,6 +36,8 @@ public:
     Time due() const override { return pacer_.due(); }
     /// One beat: orders, ticks, what is to be published. False when the exercise has ended.
     bool run() noexcept override;
+    /// One that is hurried has what the others leave.
+    bool gives_way() const override { return pacer_.hurried(); }
 
     /// Ends the exercise and publishes that. No thread may have it any more. in_order: nothing of it is to be
     /// taken up again.

@@ -51,14 +51,14 @@ int Pacer::ticks_per_beat() const {
     return std::max(1, static_cast<int>(std::ceil(kShortestBeat * rate() / dt_)));
 }
 
-std::chrono::nanoseconds Pacer::period() const {
-    const Seconds period = standing_ ? kStandingBeat : Seconds(ticks_per_beat() * dt_ / rate());
+std::chrono::nanoseconds Pacer::period(int ticks) const {
+    const Seconds period = standing_ ? kStandingBeat : Seconds(std::max(1, ticks) * dt_ / rate());
     return std::chrono::duration_cast<std::chrono::nanoseconds>(period);
 }
 
 void Pacer::beat_ended(int ticks, Time now) {
     lateness_ = 0;
-    due_ = rate() > 0 || standing_ ? due_ + period() : now;
+    due_ = rate() > 0 || standing_ ? due_ + period(ticks) : now;
     if (now > due_) {
         if (!standing_) {
             ++overruns_;

@@ -30,10 +30,13 @@ public:
 
     /// Beats have their times: it neither stands still nor goes as fast as it can.
     bool paced() const { return rate() > 0 && !standing_; }
+    /// It goes faster than real time, or as fast as it can.
+    bool hurried() const { return !standing_ && (rate() <= 0 || rate() > 1); }
     /// When the next beat is to start; when as fast as possible, the end of the last one.
     Time due() const { return due_; }
 
-    /// To be told at the end of each beat, with the ticks that were run in it.
+    /// To be told at the end of each beat, with the ticks that were run in it, which may be fewer than there
+    /// were to run.
     void beat_ended(int ticks, Time now);
 
     double lateness() const { return lateness_; }        ///< s, of the last beat's end; 0 when in time
@@ -42,7 +45,7 @@ public:
 
 private:
     double rate() const { return held_back_ && (scale_ <= 0 || scale_ > 1) ? 1 : scale_; }
-    std::chrono::nanoseconds period() const;
+    std::chrono::nanoseconds period(int ticks) const;
     void restart(Time now);
     void measure(int ticks, Time now);
 

@@ -85,6 +85,18 @@ TEST(Pacer, OverrunIsCountedAndLostTimeIsNotChased) {
     EXPECT_EQ(pacer.lateness(), 0);
 }
 
+TEST(Pacer, BeatOfFewerTicksThanThereWereToRunLosesNoTime) {
+    Pacer pacer(1.0 / 300, 20, kStart);
+    ASSERT_GT(pacer.ticks_per_beat(), 2);
+    auto now = kStart;
+    for (int tick = 0; tick < 6000; tick += 2) {
+        now = std::max(now, pacer.due()) + 50us;
+        pacer.beat_ended(2, now);
+    }
+    EXPECT_NEAR(seconds(now - kStart), 1, 0.001); // 20 s of exercise
+    EXPECT_TRUE(pacer.hurried());
+}
+
 TEST(Pacer, EveryLateTickCounts) {
     Pacer pacer(kTick, 1, kStart);
     auto now = kStart;

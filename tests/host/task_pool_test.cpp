@@ -137,6 +137,50 @@ TEST(TaskPool, WhatFallsDueInOneGrainIsDoneTogether) {
     EXPECT_LT(pauses, 50); // one or two; more when the thread is held up between them
 }
 
+/// Is always due, and takes as long as the flag says.
+class Hurried : public Counter {
+public:
+    explicit Hurried(const std::atomic<bool>& enough) : Counter(0ms), enough_(enough) {}
+    bool gives_way() const override { return true; }
+    bool run() noexcept override {
+        while (!enough_)
+            std::this_thread::sleep_for(1ms);
+        return Counter::run();
+    }
+
+private:
+    const std::atomic<bool>& enough_;
+};
+
+TEST(TaskPool, WhoGivesWayLeavesAThreadToTheOthers) {
+    std::atomic<bool> enough{false};
+    Hurried one(enough), other(enough);
+    Counter calm(1ms, 200);
+    TaskPool pool(2);
+    pool.add(calm);
+    EXPECT_TRUE(soon([&] { return calm.seen() > 0; }));
+    pool.add(one);
+    pool.add(other);
+    EXPECT_TRUE(soon([&] { return calm.done(); }));
+    enough = true;
+    EXPECT_TRUE(soon([&] { return one.seen() > 0 && other.seen() > 0; }));
+    pool.remove(one);
+    pool.remove(other);
+}
+
+TEST(TaskPool, WhoGivesWayGoesLastButGoes) {
+    const std::atomic<bool> at_once{true};
+    Counter always(0ms); // leaves nothing
+    Hurried hurried(at_once);
+    TaskPool pool(1);
+    pool.add(always);
+    pool.add(hurried);
+    EXPECT_TRUE(soon([&] { return hurried.seen() >= 3; }));
+    EXPECT_GT(always.seen(), 100 * hurried.seen()); // some thousands in each tenth of a second
+    pool.remove(hurried);
+    pool.remove(always);
+}
+
 TEST(TaskPool, RemovedTaskIsInNoHandAndNeverRunAgain) {
     Counter stays(0ms);
     TaskPool pool(2);

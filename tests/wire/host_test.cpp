@@ -297,5 +297,25 @@ TEST_F(HostTest, NameInUseIsRefusedAndWhatRunsGoesOn) {
     EXPECT_TRUE(eventually([&] { return host.status().front().load > 0; }));
 }
 
+// Prints what becomes of an exercise in real time beside two that are hurried and cost more than there is:
+// docs/failures.md.
+TEST_F(HostTest, DISABLED_PrintCalmBesideHurried) {
+    ExerciseDef fine = let_go(25);
+    fine.model.adaptive = false;
+    fine.tick_rate_hz = 1000;
+    fine.tackle.front().chain.node_spacing = 0.2;
+    const wire::Participant member({rigs::own_domain(), "classroom", "host"});
+    HostThreads threads(2);
+    Host host(member, threads);
+    host.open("calm", let_go(25), options(1, 0));
+    for (const char* id : {"hurried-1", "hurried-2"})
+        host.open(id, fine, options(20, 0));
+    std::this_thread::sleep_for(std::chrono::seconds(15));
+    for (const HostedStatus& each : host.status())
+        std::printf(
+            "%-10s %5.2f of real time, its ticks %5.1f %% of a core, the latest end of one %5.1f ms\n",
+            each.id.c_str(), each.run.time_scale_achieved, 100 * each.load, 1e3 * each.worst_lateness);
+}
+
 } // namespace
 } // namespace windlass::host
