@@ -134,14 +134,18 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
     remove_asked(now);
 }
 
-/// On the server that has the fewest.
+/// On the server that has the fewest, with those that it was asked for.
 void ClassRuns::create(const std::string& exercise, const std::string& lesson,
                        gateway::Clock::time_point now) {
     const auto asked = asked_.find(exercise);
-    if (servers_.empty() || (asked == asked_.end() ? asked_.size() >= kAsked : now - asked->second < kAgain))
+    if (servers_.empty() ||
+        (asked == asked_.end() ? asked_.size() >= kAsked : now - asked->second.at < kAgain))
         return;
-    const auto server = std::ranges::min_element(
-        servers_, {}, [](const ClassroomStatus& each) { return each.exercises().size(); });
+    const auto server = std::ranges::min_element(servers_, {}, [&](const ClassroomStatus& each) {
+        return each.exercises().size() +
+               static_cast<std::size_t>(std::ranges::count_if(
+                   asked_, [&](const auto& one) { return one.second.server == each.server().c_str(); }));
+    });
     try {
         instructor_.order_classroom(wire::topics::classroom_command,
                                     {{"action", "CLASSROOM_CREATE"},
@@ -150,7 +154,7 @@ void ClassRuns::create(const std::string& exercise, const std::string& lesson,
                                      {"exercise", lesson},
                                      {"wait", true}},
                                     "door");
-        asked_[exercise] = now;
+        asked_[exercise] = {server->server().to_string(), now};
     } catch (const gateway::Refused& refusal) {
         instructor_.log(refusal.what());
     }

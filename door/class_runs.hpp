@@ -65,12 +65,16 @@ private:
     gateway::Gateway& instructor_;
     const wire::Participant member_;
     std::vector<ClassroomStatus> servers_;
-    std::map<std::string, Found> found_;                      // by exercise
-    std::map<std::string, std::unique_ptr<Desk>> desks_;      // by exercise, of classes
-    std::map<std::string, gateway::Clock::time_point> asked_; // to be created, and when
-    std::map<std::string, std::string> recordings_;           // by exercise; empty: there is none
-    std::map<std::string, std::deque<Given>> given_;          // by exercise: what has not gone out yet
-    std::map<std::string, Leaving> to_be_removed_;            // by exercise
+    std::map<std::string, Found> found_;                 // by exercise
+    std::map<std::string, std::unique_ptr<Desk>> desks_; // by exercise, of classes
+    struct Asked {
+        std::string server;
+        gateway::Clock::time_point at;
+    };
+    std::map<std::string, Asked> asked_;             // to be created, by exercise
+    std::map<std::string, std::string> recordings_;  // by exercise; empty: there is none
+    std::map<std::string, std::deque<Given>> given_; // by exercise: what has not gone out yet
+    std::map<std::string, Leaving> to_be_removed_;   // by exercise
 };
 
 } // namespace windlass::door

@@ -170,9 +170,9 @@ Answer create_exercise(const wire::JoinOptions& session, const NewExercise& want
         return !wanted.server.empty() && heard.contains(wanted.server);
     });
     if (servers.empty()) return nobody();
-    if (wanted.server.empty() && servers.size() > 1)
-        return failed("there are several servers, say which by --server: " + names(servers));
-    const auto server = wanted.server.empty() ? servers.begin()->first : wanted.server;
+    const auto fewest =
+        std::ranges::min_element(servers, {}, [](const auto& one) { return one.second.exercises().size(); });
+    const auto server = wanted.server.empty() ? fewest->first : wanted.server;
     if (!servers.contains(server))
         return failed("no server " + server + " here; there are: " + names(servers));
     ClassroomCommand order;

@@ -57,7 +57,8 @@ void add_classroom(CLI::App& app, ClassroomOptions& options, const std::function
             ->check(CLI::ExistingFile);
     file->excludes(definition);
     create->add_flag("--wait", options.exercise.wait, "begin ready, and start on order");
-    create->add_option("--server", options.exercise.server, "which server, where there are several");
+    create->add_option("--server", options.exercise.server,
+                       "which server; without, the one that has the fewest");
     CLI::App* remove = add("remove", "end an exercise and leave its partition", What::remove);
     remove->add_option("id", options.exercise.id, "its name")->required()->check(exercise_name());
     remove->add_option("--server", options.exercise.server, "which server; without, the one that has it");

@@ -8,7 +8,9 @@
 #include "server/host/realtime.hpp"
 #include "server/host/server_group.hpp"
 #include "server/keep/keeper.hpp"
+#include "server/keep/kept_folders.hpp"
 #include "server/options.hpp"
+#include "server/workers/supervisor.hpp"
 
 #include <spdlog/async.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -23,6 +25,8 @@ namespace {
 using namespace windlass;
 using namespace windlass::server;
 
+constexpr const char* kLogPattern = "%H:%M:%S.%e %^%-5l%$ %v";
+
 volatile std::sig_atomic_t stop_signal = 0;
 
 void on_signal(int number) {
@@ -35,7 +39,7 @@ void set_up_log(const std::string& level) {
     auto logger = spdlog::create_async_nb<spdlog::sinks::stderr_color_sink_mt>("windlass_server");
     spdlog::set_default_logger(logger);
     spdlog::set_level(spdlog::level::from_str(level));
-    spdlog::set_pattern("%H:%M:%S.%e %^%-5l%$ %v");
+    spdlog::set_pattern(kLogPattern);
 }
 
 exercise::ExerciseDef load(const Options& options, const std::filesystem::path& file) {
@@ -160,7 +164,8 @@ void open_created(const Options& options, const keep::Keeper* keeper, host::Serv
 
 /// Runs until a signal comes or the set duration is over. Returns the exit code.
 int host_exercises(const Options& options, const std::vector<exercise::ExerciseDef>& defs,
-                   keep::Keeper* keeper) {
+                   keep::Keeper* keeper, workers::Pulse& pulse) {
+    constexpr std::chrono::seconds kHangs{10}; // a beat that takes so long does not end
     const std::string name = server_name(options);
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
     host::ServerGroup servers([&] { return join(options); }, name, threads, exercise_source(options), keeper);
@@ -185,6 +190,7 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
         if (const auto taken = take_up(options, keeper, id, exercise::definition_hash(defs[i])))
             session.resumption = taken->how;
         servers.open(id, defs[i], session);
+        pulse.starting();
         if (const auto taken = servers.name_taken(); !taken.empty()) return name_taken(taken);
         spdlog::info("exercise {} in DDS domain {}, partition exercise/{}", defs[i].name, options.domain, id);
     }
@@ -192,6 +198,7 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
     spdlog::info("server {} in the classroom of DDS domain {}", name, options.domain);
     while (stop_signal == 0 && !servers.all_ended()) {
         servers.serve();
+        if (servers.longest_beat() < kHangs) pulse.serving();
         tell_timekeeping(servers);
         if (const auto taken = servers.name_taken(); !taken.empty()) {
             servers.close_all("another server has the name " + taken);
@@ -206,12 +213,20 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
     return failed ? kStoppedByFault : kOk;
 }
 
-int serve(const Options& options) {
+/// The folder in which exercises are kept is of no use; the error says why, and which.
+int cannot_keep(const std::exception& error) {
+    spdlog::error("--keep: {}", error.what());
+    return kCannotKeep;
+}
+
+int serve(const Options& options, workers::Pulse pulse) {
     std::vector<exercise::ExerciseDef> defs;
     try {
-        for (const auto& wanted : options.exercises)
+        for (const auto& wanted : options.exercises) {
+            pulse.starting();
             defs.push_back(wanted.file.empty() ? exercise::ExerciseDef()
                                                : exercise::with_prelude_played(load(options, wanted.file)));
+        }
     } catch (const ConfigError& error) {
         spdlog::error("{}", error.what());
         return kBadConfiguration;
@@ -222,14 +237,15 @@ int serve(const Options& options) {
                 spdlog::warn("--realtime: {}", refused);
         }
         std::optional<keep::Keeper> keeper;
-        if (!options.keep.empty()) keeper.emplace(options.keep);
-        return host_exercises(options, defs, keeper ? &*keeper : nullptr);
+        if (!options.keep.empty()) {
+            keeper.emplace(options.keep);
+            keep::settle(options.keep, 0); // workers may have kept there
+        }
+        return host_exercises(options, defs, keeper ? &*keeper : nullptr, pulse);
     } catch (const keep::KeptError& error) {
-        spdlog::error("--keep {}", error.what());
-        return kCannotKeep;
+        return cannot_keep(error);
     } catch (const std::filesystem::filesystem_error& error) { // of what is kept there
-        spdlog::error("--keep {}: {}", options.keep.string(), error.what());
-        return kCannotKeep;
+        return cannot_keep(error);
     } catch (const std::invalid_argument& error) {
         spdlog::error("{}", error.what());
         return kBadConfiguration;
@@ -237,6 +253,40 @@ int serve(const Options& options) {
         spdlog::error("{}", error.what());
         return kNoDds;
     }
+}
+
+int work(const Options& options, workers::Pulse pulse) {
+    set_up_log(options.log_level);
+    const int code = serve(options, pulse);
+    spdlog::shutdown();
+    return code;
+}
+
+/// Shares the exercises among processes and looks after these. No thread may have been started.
+int supervise(Options options) {
+    spdlog::set_default_logger(spdlog::stderr_color_st("supervisor"));
+    spdlog::set_level(spdlog::level::from_str(options.log_level));
+    spdlog::set_pattern(kLogPattern);
+    options.name = server_name(options);
+    std::optional<keep::FolderLock> lock;
+    std::map<std::string, unsigned> kept;
+    try {
+        if (!options.keep.empty()) {
+            lock.emplace(options.keep);
+            kept = keep::settle(options.keep, options.workers);
+        }
+    } catch (const keep::KeptError& error) {
+        return cannot_keep(error);
+    } catch (const std::filesystem::filesystem_error& error) {
+        return cannot_keep(error);
+    }
+    const std::vector<Options> all = shares(options, kept);
+    const auto share_of = [&](unsigned number, workers::Pulse pulse) {
+        if (lock) lock->leave_to_parent();
+        return work(all.at(number - 1), pulse);
+    };
+    return workers::supervise(options.workers, {.memory = std::uint64_t{options.worker_memory_mb} << 20U},
+                              share_of, [] { return static_cast<int>(stop_signal); });
 }
 
 } // namespace
@@ -248,8 +298,6 @@ int main(int argc, char** argv) {
     std::signal(SIGTERM, on_signal);
     std::signal(SIGXFSZ, SIG_IGN); // a limit on file size is told by write(), like a full disk
     std::signal(SIGPIPE, SIG_IGN); // who reads the log may go away; the exercises go on
-    set_up_log(std::get<Options>(options).log_level);
-    const int code = serve(std::get<Options>(options));
-    spdlog::shutdown();
-    return code;
+    if (std::get<Options>(options).workers > 0) return supervise(std::get<Options>(options));
+    return work(std::get<Options>(options), workers::Pulse());
 }

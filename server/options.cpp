@@ -1,11 +1,13 @@
 #include "server/options.hpp"
 
 #include "idl/network_options.hpp"
+#include "server/keep/kept_folders.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <thread>
 
 namespace windlass::server {
 
@@ -105,6 +107,20 @@ std::variant<Options, int> read_options(int argc, char** argv) {
     app.add_option("--name", options.name, "name of this server in the classroom (default: HOST-PROCESS)")
         ->type_name("NAME")
         ->check(plain_name());
+    auto* workers =
+        app.add_option(
+               "--workers", options.workers,
+               "share the exercises among N processes: one that dies or hangs takes no other's along, and "
+               "is started again; 0: one process for all")
+            ->type_name("N")
+            ->check(CLI::Range(0, 64))
+            ->capture_default_str();
+    app.add_option("--worker-memory", options.worker_memory_mb,
+                   "with --workers: MB that each may come to; one that grows beyond is started again; 0: any")
+        ->type_name("MB")
+        ->check(zero_or_range(128, 1e6))
+        ->capture_default_str()
+        ->needs(workers);
     app.add_option("--threads", options.threads, "threads that tick the exercises; 0: one a core")
         ->check(CLI::Range(0, 64))
         ->capture_default_str();
@@ -155,6 +171,32 @@ std::variant<Options, int> read_options(int argc, char** argv) {
         return app.exit(error) == 0 ? kOk : kBadOption;
     }
     return options;
+}
+
+std::vector<Options> shares(const Options& options, const std::map<std::string, unsigned>& kept) {
+    std::vector<Options> all(options.workers, options);
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::size_t> has(options.workers, 0);
+    for (const auto& [id, worker] : kept)
+        ++has.at(worker - 1);
+    for (unsigned k = 0; k < options.workers; ++k) {
+        Options& one = all[k];
+        one.workers = 0;
+        one.exercises.clear();
+        one.name = fmt::format("{}-{}", options.name, k + 1);
+        if (!options.keep.empty()) one.keep = keep::folder_of_worker(options.keep, k + 1);
+        if (options.threads == 0) one.threads = (cores + options.workers - 1) / options.workers;
+    }
+    for (const Options::Exercise& exercise : options.exercises) {
+        const auto found = kept.find(exercise.id);
+        const auto to = found != kept.end() ? static_cast<std::ptrdiff_t>(found->second) - 1
+                                            : std::ranges::min_element(has) - has.begin();
+        all[static_cast<std::size_t>(to)].exercises.push_back(exercise);
+        if (found == kept.end()) ++has[static_cast<std::size_t>(to)];
+    }
+    for (Options& one : all)
+        one.classroom = one.exercises.empty();
+    return all;
 }
 
 } // namespace windlass::server

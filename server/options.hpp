@@ -4,6 +4,7 @@
 #include "idl/wire.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,9 +33,11 @@ struct Options {
     bool classroom = false;            ///< begin with none
     std::string name;                  ///< of the server; empty: made of host and process
     int domain = 0;
-    unsigned threads = 0;  ///< that tick the exercises; 0: one a core
-    double time_scale = 1; ///< 0: as fast as possible
-    double duration = 0;   ///< s of exercise, 0: until stopped
+    unsigned workers = 0;          ///< processes that share the exercises; 0: this one has them
+    unsigned worker_memory_mb = 0; ///< of each, at most; 0: any
+    unsigned threads = 0;          ///< that tick the exercises; 0: one a core
+    double time_scale = 1;         ///< 0: as fast as possible
+    double duration = 0;           ///< s of exercise, 0: until stopped
     bool wait = false;
     bool realtime = false;
     std::filesystem::path fault_folder = ".";
@@ -44,6 +47,11 @@ struct Options {
     wire::Network network;
     std::string log_level = "info";
 };
+
+/// What each worker is to do: its exercises, its own name (NAME-1, NAME-2, ...), its folder to keep them in,
+/// its share of the cores. kept: which worker has what is kept already; the others go to those that have
+/// fewest.
+std::vector<Options> shares(const Options& options, const std::map<std::string, unsigned>& kept);
 
 /// The options, or the exit code when the program is to end here (--help, --version, bad option: told on
 /// stdout or stderr).

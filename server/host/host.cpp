@@ -71,4 +71,11 @@ bool Host::any_stopped_by_fault() const {
                        [](const auto& one) { return one.second->stopped_by_fault(); });
 }
 
+std::chrono::steady_clock::duration Host::longest_beat() const {
+    std::chrono::steady_clock::duration longest{};
+    for (const auto& [id, exercise] : exercises_)
+        longest = std::max(longest, exercise->beat_lasts());
+    return longest;
+}
+
 } // namespace windlass::host

@@ -35,6 +35,8 @@ public:
     std::vector<HostedStatus> status() const; ///< of every exercise, by id
     bool all_ended() const;                   ///< each has run its set duration; false when there is none
     bool any_stopped_by_fault() const;
+    /// Of the beats that threads are at, how long the longest lasts already.
+    std::chrono::steady_clock::duration longest_beat() const;
 
 private:
     wire::Participant member_;

@@ -103,6 +103,7 @@ void HostedExercise::publish(double now) {
 
 bool HostedExercise::run() noexcept {
     const auto began = Clock::now();
+    beat_began_ = began;
     if (pacer_.paced()) timekeeping_.began(began - pacer_.due());
     try {
         beat();
@@ -115,7 +116,13 @@ bool HostedExercise::run() noexcept {
         measure(began, Clock::now());
     } catch (const std::exception&) { // no memory for what is shown: it is older, then
     }
+    beat_began_ = Time{};
     return !ended_;
+}
+
+std::chrono::steady_clock::duration HostedExercise::beat_lasts() const {
+    const Time began = beat_began_;
+    return began == Time{} ? Clock::duration{} : Clock::now() - began;
 }
 
 /// Stops the exercise and says why, once. It goes on with the slow beats of one that stands still, so that an

@@ -49,6 +49,8 @@ public:
     bool ended() const { return ended_; }              ///< from any thread
     bool stopped_by_fault() const { return stopped_; } ///< from any thread
     HostedStatus status() const;                       ///< from any thread; some 0.1 s old at most
+    /// How long the beat lasts already that a thread is at; 0: none is. From any thread.
+    std::chrono::steady_clock::duration beat_lasts() const;
 
 private:
     void beat();
@@ -80,6 +82,7 @@ private:
     double load_ = 0, shown_lateness_ = 0; // of the last second
     Time shown_at_;
 
+    std::atomic<Time> beat_began_{Time{}}; // no beat: never
     std::atomic<bool> ended_{false}, stopped_{false};
     mutable std::mutex shown_mutex_;
     HostedStatus shown_; // guarded by shown_mutex_

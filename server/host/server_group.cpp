@@ -91,6 +91,13 @@ bool ServerGroup::any_stopped_by_fault() const {
                                [](const auto& server) { return server->host.any_stopped_by_fault(); });
 }
 
+std::chrono::steady_clock::duration ServerGroup::longest_beat() const {
+    std::chrono::steady_clock::duration longest{};
+    for (const auto& server : servers_)
+        longest = std::max(longest, server->host.longest_beat());
+    return longest;
+}
+
 void ServerGroup::close_all(const std::string& reason) {
     for (const auto& server : servers_)
         server->host.close_all(reason);

@@ -47,6 +47,8 @@ public:
 
     bool all_ended() const; ///< each exercise has run its set duration; false when there is none
     bool any_stopped_by_fault() const;
+    /// As Host::longest_beat(): of one that never ends, a thread hangs.
+    std::chrono::steady_clock::duration longest_beat() const;
     void close_all(const std::string& reason);
 
     /// How late ticks began since this was last asked.

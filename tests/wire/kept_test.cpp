@@ -16,6 +16,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <map>
 #include <mutex>
@@ -118,8 +119,9 @@ struct OnDisk {
     std::map<std::uint64_t, run::OrderView> orders; // by number
     std::uint64_t tick = 0;                         // reached
 
-    explicit OnDisk(const Folder& folder) {
-        for (const auto& file : keep::kept_files(folder / "keep" / "exercise-default")) {
+    /// keep: the folder of its server, or of its worker.
+    explicit OnDisk(const std::filesystem::path& keep) {
+        for (const auto& file : keep::kept_files(keep / "exercise-default")) {
             const keep::KeptContents contents(file);
             for (const auto& [kind, at, payload] : contents.entries()) {
                 if (kind == keep::Record::order) {
@@ -182,7 +184,7 @@ TEST_P(KilledServerThatKeeps, TakesItsExerciseUpAtTheTickAtWhichItStopped) {
         kill_9(*server);
         kill_9(trainee);
     }
-    const OnDisk kept(folder_);
+    const OnDisk kept(folder_ / "keep");
     EXPECT_GT(kept.orders.size(), 0U);
     std::printf("last heard at tick %lu, kept up to %lu\n", witness_.status().tick(), kept.tick);
 
@@ -239,6 +241,70 @@ TEST_F(ServerThatKeeps, BringsBackWhatInstructorsHadCreatedWhenItWasKilled) {
     })) << server->text();
 }
 
+/// The process that keeps its exercises there.
+pid_t holder_of(const std::filesystem::path& folder) {
+    pid_t process = 0;
+    std::ifstream(folder / "lock") >> process;
+    return process;
+}
+
+TEST_F(ServerThatKeeps, LosesAWorkerAndHasItsExerciseBackWhileItsNeighbourRunsOn) {
+    auto command = server_command(
+        folder_, 1,
+        {"--partition", "default", "--exercise", kExercise, "--partition", "other", "--workers", "2"});
+    ChildProcess server(command);
+    ChildProcess trainee(trainee_command());
+    wire::Participant participant({own_domain(), "exercise/other", "neighbour"});
+    std::atomic<std::uint64_t> run = 0, tick = 0, runs = 0;
+    const wire::Reader<ExerciseStatus> neighbour(participant, topics::exercise_status,
+                                                 [&](const ExerciseStatus& status) {
+                                                     if (run.exchange(status.run()) != status.run()) ++runs;
+                                                     tick = status.tick();
+                                                 });
+    ASSERT_TRUE(eventually([&] { return witness_.status().time() >= 9.5 && tick > 0; }))
+        << server.text() << trainee.text();
+    const auto keep = folder_ / "keep" / "worker-1";
+    const auto first_run = witness_.status().run();
+    ASSERT_EQ(kill(holder_of(keep), SIGKILL), 0);
+    const auto begin = Clock::now();
+    ASSERT_TRUE(eventually([&] { return witness_.truth().run() > first_run; })) << server.text();
+    std::printf("first truth %.2f s after the worker was killed\n", seconds(Clock::now() - begin));
+    EXPECT_TRUE(eventually([&] { return !witness_.told("exercise.taken_up").empty(); }));
+    const auto kept_up_to = witness_.truth().tick();
+    EXPECT_GT(kept_up_to, 9 * 300U); // 300 ticks a second
+    EXPECT_EQ(witness_.status().state(), RUN_PAUSED);
+    EXPECT_THAT(server.text(), HasSubstr("worker 1 was killed by signal 9; it is started again"));
+
+    const auto there = tick.load();
+    EXPECT_TRUE(eventually([&] { return tick > there + 300; })) << "the neighbour runs on";
+    EXPECT_EQ(runs, 1U) << "in the run that it was in";
+    server.signal(SIGTERM);
+    EXPECT_EQ(server.exit_code(), 0) << server.text();
+    EXPECT_FALSE(std::filesystem::exists(keep / "exercise-default")) << "ended in order";
+}
+
+TEST_F(ServerThatKeeps, BringsBackWhatWorkersKeptWhenAllOfItWasKilled) {
+    const std::vector<std::string> both{"--partition", "default",     "--exercise",
+                                        kExercise,     "--partition", "other"};
+    auto more = both;
+    more.insert(more.end(), {"--workers", "2"});
+    auto server = std::make_unique<ChildProcess>(server_command(folder_, 1, more));
+    ASSERT_TRUE(eventually([&] { return witness_.status().time() >= 2; })) << server->text();
+    const auto keep = folder_ / "keep";
+    const std::vector<pid_t> workers{holder_of(keep / "worker-1"), holder_of(keep / "worker-2")};
+    kill_9(*server);
+    EXPECT_TRUE(eventually([&] { // they go with it, and leave their folders
+        return std::ranges::all_of(workers, [](pid_t worker) { return kill(worker, 0) != 0; });
+    }));
+    const auto first_run = witness_.status().run();
+    server = std::make_unique<ChildProcess>(server_command(folder_, 1, both)); // one process now
+    ASSERT_TRUE(eventually([&] { return witness_.status().run() > first_run; })) << server->text();
+    EXPECT_TRUE(eventually([&] { return witness_.status().state() == RUN_PAUSED; }));
+    EXPECT_GE(witness_.status().time(), 1.5);
+    server->signal(SIGTERM);
+    EXPECT_EQ(server->exit_code(), 0);
+}
+
 TEST_F(ServerThatKeeps, DISABLED_PrintTimes) {
     std::vector<double> heard, standing;
     auto server = std::make_unique<ChildProcess>(server_command(folder_, 1));
@@ -249,7 +315,7 @@ TEST_F(ServerThatKeeps, DISABLED_PrintTimes) {
         kill_9(*server);
         // Ten kills within the first seconds are what a server gives up at; here they are meant.
         std::filesystem::remove(keep::attempts_file(folder_ / "keep" / "exercise-default"));
-        const OnDisk kept(folder_);
+        const OnDisk kept(folder_ / "keep");
         standing.push_back(static_cast<double>(witness_.status().tick()) - static_cast<double>(kept.tick));
         const auto begin = Clock::now();
         server = std::make_unique<ChildProcess>(server_command(folder_, 1, {"--resume-running"}));
