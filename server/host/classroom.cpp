@@ -70,10 +70,11 @@ bool same_state(const ClassroomStatus& a, const ClassroomStatus& b) {
 } // namespace
 
 Classroom::Classroom(wire::Participant& member, std::string name, Host& host, unsigned threads,
-                     ExerciseSource source)
+                     ExerciseSource source, std::function<double()> load)
     : name_(std::move(name)),
       host_(host),
       source_(std::move(source)),
+      load_(std::move(load)),
       gate_(kOrders),
       status_writer_(member, wire::topics::classroom_status),
       event_writer_(member, wire::topics::event),
@@ -183,6 +184,12 @@ std::optional<run::Refusal> Classroom::begin_create(const Received& received) {
     if (host_.has(id)) return refused(order, "id", quoted(id), "a name not in use; this server has it");
     if (const auto other = server_of(id); !other.empty())
         return refused(order, "id", quoted(id), "a name not in use; server " + printable(other) + " has it");
+    if (const double load = load_(), threads = status_.threads(); load > kMaxLoad * threads)
+        return refused(
+            order, "server", quoted(name_),
+            fmt::format("one with room: its exercises take {:.2f} of {} threads' time, and none is created "
+                        "beyond {:.2f}",
+                        load, threads, kMaxLoad * threads));
     const std::string file = order.exercise().to_string();
     const std::string text(order.definition().begin(), order.definition().end());
     if (file.empty() == text.empty())

@@ -26,9 +26,14 @@ struct ExerciseSource {
 /// All methods are for the host's thread.
 class Classroom {
 public:
-    /// name: of the server, 1..64 characters. member: in partition "classroom". Throws std::runtime_error.
+    /// Of the time of the threads that tick, more than which exercises in real time may not take when another
+    /// is to be created: what is left is for cables that run, which cost ten times as much.
+    static constexpr double kMaxLoad = 0.75;
+
+    /// name: of the server, 1..64 characters. member: in partition "classroom". threads: that tick. load: of
+    /// the exercises in real time that they tick, threads. Throws std::runtime_error.
     Classroom(wire::Participant& member, std::string name, Host& host, unsigned threads,
-              ExerciseSource source);
+              ExerciseSource source, std::function<double()> load);
 
     /// Hears who else is there; to be called before anything is opened or served.
     void meet_others();
@@ -69,6 +74,7 @@ private:
     const std::string name_;
     Host& host_;
     const ExerciseSource source_;
+    const std::function<double()> load_;
     dds::Serials serials_;
     run::RefusalLog refusals_;
     ClassroomStatus status_;

@@ -71,6 +71,13 @@ bool Host::any_stopped_by_fault() const {
                        [](const auto& one) { return one.second->stopped_by_fault(); });
 }
 
+double Host::load() const {
+    double sum = 0;
+    for (const HostedStatus& each : status())
+        sum += each.load / std::max(1.0, each.run.time_scale_achieved);
+    return sum;
+}
+
 std::chrono::steady_clock::duration Host::longest_beat() const {
     std::chrono::steady_clock::duration longest{};
     for (const auto& [id, exercise] : exercises_)

@@ -35,6 +35,9 @@ public:
     std::vector<HostedStatus> status() const; ///< of every exercise, by id
     bool all_ended() const;                   ///< each has run its set duration; false when there is none
     bool any_stopped_by_fault() const;
+    /// Threads' time that exercises take, by their last second. One that is hurried counts as in real time:
+    /// it gives way.
+    double load() const;
     /// Of the beats that threads are at, how long the longest lasts already.
     std::chrono::steady_clock::duration longest_beat() const;
 

@@ -12,7 +12,8 @@ struct ServerGroup::Server {
     Server(ServerGroup& group, std::string called)
         : name(std::move(called)),
           host(group.servers_.empty() ? group.classroom_ : group.join_(), group.threads_),
-          classroom(group.classroom_, name, host, group.ticking_, group.source_) {
+          classroom(group.classroom_, name, host, group.ticking_, group.source_,
+                    [&group] { return group.load(); }) {
         classroom.meet_others();
     }
 
@@ -89,6 +90,13 @@ bool ServerGroup::all_ended() const {
 bool ServerGroup::any_stopped_by_fault() const {
     return std::ranges::any_of(servers_,
                                [](const auto& server) { return server->host.any_stopped_by_fault(); });
+}
+
+double ServerGroup::load() const {
+    double sum = 0;
+    for (const auto& server : servers_)
+        sum += server->host.load();
+    return sum;
 }
 
 std::chrono::steady_clock::duration ServerGroup::longest_beat() const {

@@ -57,6 +57,7 @@ public:
 private:
     struct Server;
     bool full() const;
+    double load() const;
     void add_server();
 
     const Join join_;

@@ -4,7 +4,7 @@
 #include "rigs/wait.hpp"
 #include "server/assess/result.hpp"
 #include "server/exercise/exercise.hpp"
-#include "server/host/host.hpp"
+#include "server/host/classroom.hpp"
 #include "tests/recorder/folder.hpp"
 #include "tests/wire/no_memory.hpp"
 
@@ -12,7 +12,9 @@
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
+#include <atomic>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -295,6 +297,54 @@ TEST_F(HostTest, NameInUseIsRefusedAndWhatRunsGoesOn) {
     const auto tick = host.status().front().tick;
     EXPECT_TRUE(eventually([&] { return host.status().front().tick > tick + 30; }));
     EXPECT_TRUE(eventually([&] { return host.status().front().load > 0; }));
+}
+
+TEST_F(HostTest, OfALoadThatLeavesNoRoomNoExerciseIsCreated) {
+    wire::Participant member({rigs::own_domain(), wire::kClassroomPartition, "server"});
+    HostThreads threads(1);
+    Host host(member, threads);
+    std::atomic<double> load = 0.76;
+    const auto ready = [](const std::string&) {
+        std::promise<ExerciseDef> def;
+        def.set_value(let_go(25));
+        return run::Reading{.def = def.get_future(), .in_hand = {}};
+    };
+    Classroom classroom(member, "bridge", host, 1,
+                        {.load = ready, .parse = {}, .options = [&](bool) { return options(1, 0); }},
+                        [&] { return load.load(); });
+    wire::Participant instructor({rigs::own_domain(), wire::kClassroomPartition, "console"});
+    std::mutex mutex;
+    std::string told;
+    const wire::Reader<Event> events(instructor, wire::topics::event, [&](const Event& event) {
+        const std::lock_guard lock(mutex);
+        told += event.text().to_string() + '\n';
+    });
+    wire::Writer<ClassroomCommand> orders(instructor, wire::topics::classroom_command);
+    ClassroomCommand order;
+    order.origin().source() = "console";
+    order.action(CLASSROOM_CREATE);
+    order.server() = "bridge";
+    order.exercise() = "x";
+    const auto create = [&](const char* id, std::uint64_t serial) {
+        order.id() = id;
+        order.origin().serial(serial);
+        EXPECT_TRUE(eventually([&] { return orders.matched() > 0; }));
+        EXPECT_TRUE(orders.write(order));
+    };
+    const auto hears = [&](const std::string& words) {
+        return eventually([&] {
+            classroom.serve();
+            const std::lock_guard lock(mutex);
+            return told.find(words) != std::string::npos;
+        });
+    };
+    create("one", 1);
+    EXPECT_TRUE(hears("its exercises take 0.76 of 1 threads' time, and none is created beyond 0.75")) << told;
+    EXPECT_EQ(host.size(), 0U);
+    load = 0.74;
+    create("two", 2);
+    EXPECT_TRUE(hears("exercise two (let-go-port-25m) created by console")) << told;
+    EXPECT_EQ(host.size(), 1U);
 }
 
 // Prints what becomes of an exercise in real time beside two that are hurried and cost more than there is:
