@@ -3,7 +3,7 @@
 import { orderAloud } from "../kit/aloud";
 import { Briefing } from "../kit/briefing";
 import { h, setAttribute } from "../kit/dom";
-import { choosePalette, palette, palettes } from "../kit/palette";
+import { nextPalette } from "../kit/palette";
 import { everyFrame, openExercisePage } from "../kit/page";
 import { kByHand } from "../kit/orders";
 import { OwnMarks } from "../kit/own_marks";
@@ -116,7 +116,7 @@ export function openForecastle(): void {
       side: () => stand.nextSide(),
       camera: (number: number) => scene.lookNumber(number),
       mute: () => page.alerts.sound.toggle(),
-      palette: () => choosePalette(palettes[(palettes.indexOf(palette()) + 1) % palettes.length]!),
+      palette: nextPalette,
       captions: () => captions.toggle(),
       lamp: () => scene.switchLamp(),
       report: () => reports.focus(),

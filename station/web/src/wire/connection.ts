@@ -201,6 +201,11 @@ export class Connection {
     return this.held.has(`${what}`);
   }
 
+  /** Whether a hand of this page is on any levers. */
+  holdsAny(): boolean {
+    return this.held.size > 0;
+  }
+
   /** Gives an order: resolves when it is on its way, rejects with Refused. */
   order(topic: TopicName, sample: OrderSample): Promise<void> {
     return this.ask({ op: "order", topic, sample });
