@@ -88,7 +88,7 @@ export function translatedAs(template: string, text: string): string {
   const sentence = catalogue[template];
   if (sentence === undefined) return translated(text);
   const literal = template.split(kPlace).map((part) => part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&"));
-  const found = new RegExp(`^${literal.join("(.*)")}$`, "s").exec(text);
+  const found = new RegExp(`^${literal.join("(.*?)")}$`, "s").exec(text);
   const places = [...template.matchAll(kPlace)].map(([place]) => place);
   const filled = (place: string): string => {
     const given = found?.[places.indexOf(place) + 1] ?? "";

@@ -11,10 +11,10 @@ import { t, translatedAs, typedFigure } from "../../src/kit/language";
 import { need, root } from "../../tools/web.mjs";
 
 /** Folders of src whose pages are read by catalogue; in the others a sentence may still stand as it is. */
-const kConverted = new Set(["door", "kit"]);
+const kConverted = new Set(["door", "forecastle", "kit"]);
 
 /** German words that are English ones. */
-const kSame = ["ACK", "Name", "bar", "normal"];
+const kSame = ["ACK", "Name", "Stand", "Stopper", "bar", "normal"];
 
 /** What is shown as it is: names, and what machines read. */
 const kNoWords = new Set(["Windlass"]);
