@@ -2,8 +2,8 @@
 
 import { outcomeSaid } from "../kit/words";
 import { h } from "../kit/dom";
-import type { ClassExercise, TrainingClass } from "./ask";
-import { t, translated } from "../kit/language";
+import { type ClassExercise, type TrainingClass, placeWords } from "./ask";
+import { t } from "../kit/language";
 
 /** In words: points, and what they mean once the lesson is over. */
 export function marksOf({ points, outcome }: ClassExercise): string {
@@ -23,7 +23,7 @@ export function classMarks(it: TrainingClass): HTMLElement {
           "tr",
           { "data-exercise": each.exercise },
           h("th", { scope: "row" }, name),
-          h("td", {}, `${each.exercise}, ${translated(place)}`),
+          h("td", {}, `${each.exercise}, ${placeWords[place]}`),
           h("td", { class: "marks" }, marksOf(each)),
           h(
             "td",

@@ -5,7 +5,7 @@ import { holdButton } from "../kit/hold_button";
 import { runStateWords } from "../kit/run_state";
 import { clock } from "../kit/units";
 import { RunState } from "../wire/generated";
-import { type ClassExercise, type Classes, type Me, type Seat, type TrainingClass, act, ask } from "./ask";
+import { type ClassExercise, type Classes, type Me, type Seat, type TrainingClass, act, ask, placeWords } from "./ask";
 import { classMarks, marksOf } from "./class_marks";
 import { frame } from "./frame";
 import { newClass } from "./new_class";
@@ -266,7 +266,7 @@ class ClassPage {
           else this.choose(mover === name ? undefined : (name ?? undefined));
         },
       },
-      h("span", { class: "quiet" }, translated(place)),
+      h("span", { class: "quiet" }, placeWords[place]),
       h("span", { class: "who" }, name ?? t("free")),
       name !== null && h("span", { class: "here" }, it),
     );

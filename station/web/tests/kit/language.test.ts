@@ -11,10 +11,10 @@ import { t, translatedAs, typedFigure } from "../../src/kit/language";
 import { need, root } from "../../tools/web.mjs";
 
 /** Folders of src whose pages are read by catalogue; in the others a sentence may still stand as it is. */
-const kConverted = new Set(["door", "forecastle", "kit"]);
+const kConverted = new Set(["bridge", "door", "forecastle", "kit", "pages", "plan", "scene", "surroundings"]);
 
 /** German words that are English ones. */
-const kSame = ["ACK", "Name", "Stand", "Stopper", "bar", "normal"];
+const kSame = ["ACK", "Name", "Stand", "Stopper", "Wind", "bar", "normal"];
 
 /** What is shown as it is: names, and what machines read. */
 const kNoWords = new Set(["Windlass"]);
@@ -27,7 +27,7 @@ const kTranslated = [
   ["speed lever at zero; brake, clutch and stopper as they were", "the helm's levers stay as they are"],
   ["the lesson is over: it has run its course", "the lesson is over: its time is up"],
   ["the lesson is over: what has happened ends it", "the lesson is over: it was ended"],
-  ["instructor", "assessor", "observer", "owner", "ship", "forecastle", "bridge", "watch"],
+  ["instructor", "assessor", "observer", "owner"],
 ].flat();
 
 const catalogue: Readonly<Record<string, string>> = german;
