@@ -25,7 +25,7 @@ const kConverted = new Set([
 ]);
 
 /** German words that are English ones. */
-const kSame = ["ACK", "Name", "Pause", "Stand", "Start", "Stopper", "Wind", "bar", "normal"];
+const kSame = "ACK Motor Name Pause REC Simulation Stand Start Stopper Wind bar m:ss normal".split(" ");
 
 /** What is shown as it is: names, and what machines read. */
 const kNoWords = new Set(["Windlass"]);
