@@ -3,6 +3,7 @@
 
 import { CdrReader } from "./cdr";
 import { type TopicName, type TopicTypes, WIRE_VERSION, decoders, keys } from "./generated";
+import { t } from "../kit/language";
 
 export type Seat = "forecastle" | "conning" | "trainee" | "watcher" | "observer" | "assessor" | "instructor";
 
@@ -213,7 +214,7 @@ export class Connection {
 
   /** Any message that is answered with sent or refused. */
   ask(message: Message): Promise<void> {
-    if (this.state_ !== "open") return Promise.reject(new Refused("no connection to the station"));
+    if (this.state_ !== "open") return Promise.reject(new Refused(t("no connection to the station")));
     const id = this.nextId++;
     return new Promise((done, failed) => {
       this.waiting.set(id, { done, failed });
@@ -278,7 +279,7 @@ export class Connection {
 
   private lost(): void {
     this.held.clear(); // the server has given them up; a hand takes them anew
-    for (const { failed } of this.waiting.values()) failed(new Refused("the connection to the station was lost"));
+    for (const { failed } of this.waiting.values()) failed(new Refused(t("the connection to the station was lost")));
     this.waiting.clear();
     if (this.ended()) return;
     this.setState("lost");
