@@ -28,7 +28,7 @@ export class OrderPanel {
   private side = 0;
   private readonly sides: HTMLButtonElement[];
   private readonly buttons: HTMLElement;
-  private readonly pad = h("div", { class: "figure-pad", hidden: true, role: "group" });
+  private readonly pad = h("div", { class: "figure-pad", hidden: true, role: "group", lang: "en" });
   private readonly words = h("input", {
     type: "text",
     maxLength: 255,
@@ -51,7 +51,7 @@ export class OrderPanel {
     );
     this.buttons = h(
       "div",
-      { class: "order-buttons" },
+      { class: "order-buttons", lang: "en" },
       ...kOrders.map(({ code, text }) =>
         h(
           "button",

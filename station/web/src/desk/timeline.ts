@@ -7,7 +7,7 @@ import { clock, measures } from "../kit/units";
 import { AlertPriority, type Event, EventSeverity } from "../wire/generated";
 import type { Desk } from "./desk";
 import { eventWords, isMark } from "./events";
-import { t } from "../kit/language";
+import { t, translated } from "../kit/language";
 import { alertWords } from "../kit/words";
 
 interface Mark {
@@ -33,7 +33,8 @@ const kLabels = 76;
 const kRight = 16;
 const kNear = 7; // px, of the pointer from a mark
 const kAlert = t("alert:");
-const kWhich = new RegExp(`^(?:order \\d+ given:|${kAlert}) `); // its lane and its place say that
+const kGiven = translated("order {0} given: {order}").replace("{0}", "\\d+").replace(" {order}", "");
+const kWhich = new RegExp(`^(?:${kGiven}|${kAlert}) `); // its lane and its place say that
 const kLead = 0.5; // s before an event, so that it is seen to happen
 
 const severityColour = (severity: EventSeverity): string =>

@@ -26,8 +26,7 @@ export function frame(title: string, ...inBar: Node[]): HTMLElement {
       h("span", { class: "title" }, "Windlass"),
       h("h1", { class: "seat" }, title),
       h("div", { class: "middle" }, ...inBar),
-      languageButton(),
-      turn,
+      h("div", { class: "row" }, languageButton(), turn),
     ),
   );
   return byId("page");

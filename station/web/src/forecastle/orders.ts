@@ -87,7 +87,7 @@ export class Orders {
       "li",
       { "data-number": order.number, "data-state": BridgeOrderState[order.state] },
       h("time", {}, clock(order.time)),
-      h("span", { class: "spoken" }, written(order)),
+      h("span", { class: "spoken", lang: "en" }, written(order)),
       h("span", { class: "quiet" }, orderState(order.state)),
       button,
     );

@@ -26,6 +26,7 @@ import { Sounds } from "./sounds";
 import { Stand } from "./stand";
 import { Work } from "./work";
 import { t } from "../kit/language";
+import { eventText } from "../kit/words";
 
 const kFresh = 5; // s of exercise time
 
@@ -50,7 +51,7 @@ export function openForecastle(): void {
   const sounds = new Sounds(page, stand, orders, () => scene.ears());
   const speech = new Speech();
   orders.onOrder((order) => order.text !== kByHand && isFresh(order.time) && speech.say(orderAloud(order)));
-  link.on("SeatEvent", ({ code, time, text }) => code === "report.not_heard" && isFresh(time) && tell(text));
+  link.on("SeatEvent", (event) => event.code === "report.not_heard" && isFresh(event.time) && tell(eventText(event)));
   const marks = new OwnMarks(link);
   const briefing = new Briefing(link, marks);
   const firstVisit = new FirstVisit(page.root);

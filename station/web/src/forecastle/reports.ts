@@ -39,7 +39,7 @@ const labelOf = (code: ReportCode): string => reportRows[code]!.label!;
 
 export class Reports {
   readonly element: HTMLElement;
-  private readonly pad = h("div", { class: "report-pad" });
+  private readonly pad = h("div", { class: "report-pad", lang: "en" });
   private readonly leaves: HTMLButtonElement[];
   private turnedTo: PadLeaf | undefined; // by a touch, until the work goes on
   private shown: PadLeaf | undefined;

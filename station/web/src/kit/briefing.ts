@@ -30,8 +30,8 @@ export class Briefing {
   readonly element: HTMLDialogElement;
   /** Says that the lesson is over, and why; hidden until then. */
   readonly lessonOver = h("p", { class: "lesson-over", role: "status", hidden: true });
-  private readonly title = h("h2", {});
-  private readonly text = h("p", { class: "text" });
+  private readonly title = h("h2", { lang: "en" });
+  private readonly text = h("p", { class: "text", lang: "en" });
   private readonly seat = h("p", {});
   private readonly over = h("p", { class: "over", role: "status" });
   private pieces: string[] = [];

@@ -82,7 +82,7 @@ const kPlace = /\{[^}]*\}/g;
 
 /**
  * What the server made of a sentence with places {0}, {.1} ..., in the person's language; what it filled in, as far as
- * the catalogue has it. As it came where it is another sentence.
+ * the catalogue has it, but for places with a name. As it came where it is another sentence.
  */
 export function translatedAs(template: string, text: string): string {
   const sentence = catalogue[template];
@@ -92,7 +92,8 @@ export function translatedAs(template: string, text: string): string {
   const places = [...template.matchAll(kPlace)].map(([place]) => place);
   const filled = (place: string): string => {
     const given = found?.[places.indexOf(place) + 1] ?? "";
-    return /^[\d.]+$/.test(given) ? writtenFigure(given) : translated(given);
+    if (/^[\d.]+$/.test(given)) return writtenFigure(given);
+    return /[a-z]/.test(place) ? given : translated(given);
   };
   return found ? sentence.replace(kPlace, filled) : text;
 }

@@ -15,6 +15,7 @@ import {
 } from "../wire/generated";
 import { translated, translatedAs } from "./language";
 import { type Unit, sideName, sideWord } from "./units";
+import { serverSentences } from "./server_sentences";
 
 type Enumeration = keyof typeof enumerations;
 
@@ -197,10 +198,11 @@ interface EventRow {
 }
 const eventRows: readonly EventRow[] = [...events.waited_for.oneOf, ...events.told.oneOf];
 
-/** An event's sentence in the person's language, where words.json has it; as it came where others' words are in it. */
+/** An event's sentence in the person's language, as it came where that has none. */
 export function eventText({ code, text }: { code: string; text: string }): string {
   const row = eventRows.find((each) => each.const === code || each.seat_code === code);
-  for (const sentence of [row?.seat_said, row?.said]) {
+  const sentences = [row?.seat_said, row?.said, ...(serverSentences[code] ?? [])];
+  for (const sentence of sentences) {
     const found = sentence === undefined ? text : translatedAs(sentence, text);
     if (found !== text) return found;
   }
@@ -210,8 +212,9 @@ export function eventText({ code, text }: { code: string; text: string }): strin
 /** The same with its side before it, unless the sentence names it. */
 export function eventLine(event: { code: string; text: string; side: number }): string {
   const text = eventText(event);
-  if (text === event.text) return withSide(event.side, text);
-  return event.side === 0 || event.side === 1 ? `${sideWord(event.side)}: ${text}` : text;
+  const english = withSide(event.side, event.text);
+  if (text === event.text) return english;
+  return english === event.text ? text : `${sideWord(event.side)}: ${text}`;
 }
 
 /** What an alert says and explains, in the person's language. */

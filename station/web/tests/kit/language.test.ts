@@ -8,6 +8,7 @@ import { test } from "node:test";
 import german from "../../../../words/pages_de.json";
 import words from "../../../../words/words.json";
 import { t, translatedAs, typedFigure } from "../../src/kit/language";
+import { serverSentences } from "../../src/kit/server_sentences";
 import { need, root } from "../../tools/web.mjs";
 
 /** German words that are English ones. */
@@ -97,7 +98,7 @@ function sentences(all: Source[]): { file: string; english: string | undefined }
   return found;
 }
 
-/** What pages show of words.json. Orders and reports are spoken, in English, and those words are not among them. */
+/** What pages show of words.json and of the server; not of orders and reports, which are spoken in English. */
 function ofWords(): Set<string> {
   const spoken = new Set(["BridgeOrderCode", "ReportCode", "StayGiven", "Growing", "CableWeight"]);
   const found: unknown[] = [];
@@ -113,6 +114,7 @@ function ofWords(): Set<string> {
   for (const row of words.alerts) take(row, columns);
   for (const row of words.report_pad) take(row, columns);
   for (const row of Object.values(words.units)) take(row, ["many"]);
+  found.push(...Object.values(serverSentences).flat());
   return new Set(found.filter((said): said is string => typeof said === "string" && said !== ""));
 }
 
