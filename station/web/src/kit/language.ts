@@ -8,7 +8,7 @@ export const languages = { en: "English", de: "Deutsch" } as const;
 export type Language = keyof typeof languages;
 
 const kChosen = "windlass.language";
-const isLanguage = (code: string | null | undefined): code is Language => !!code && code in languages;
+const isLanguage = (code: string | null): code is Language => code !== null && Object.hasOwn(languages, code);
 
 /** What the person has chosen in this browser, else the first of the browser's languages that there is. */
 function wanted(): Language {
