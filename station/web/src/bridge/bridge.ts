@@ -26,6 +26,7 @@ import { Thrusters } from "./thrusters";
 import { ViewOut } from "./view_out";
 import { WatchPanel } from "./watch_panel";
 import { Wheel } from "./wheel";
+import { t } from "../kit/language";
 
 const kRudderMax = (35 * Math.PI) / 180; // rad, until the ship's own is heard
 
@@ -43,7 +44,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   const anchors = new AnchorPlot(link, line);
   const watch = new WatchPanel(link, anchors);
   const shown = new LightsAndShapesPanel(link).element;
-  const plan = h("section", { class: "plan-panel", "aria-label": "plan" });
+  const plan = h("section", { class: "plan-panel", "aria-label": t("plan") });
   const help = helpDialog();
   const marks = new OwnMarks(link);
   const briefing = new Briefing(link, marks);
@@ -55,17 +56,17 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
     speech.button,
     briefing.button,
     marks.button,
-    h("button", { class: "plain", type: "button", "aria-label": "help", onclick: () => help.showModal() }, "?"),
+    h("button", { class: "plain", type: "button", "aria-label": t("help"), onclick: () => help.showModal() }, "?"),
   );
   // Where the page is narrow, plan and view take turns.
   const look = (out: boolean): void => setAttribute(page.root, "data-looks-out", out ? "" : undefined);
   const chart = new PlanView(plan);
   const view = new ViewOut(
     page,
-    h("button", { class: "plain to-plan", type: "button", onclick: () => look(false) }, "Plan"),
+    h("button", { class: "plain to-plan", type: "button", onclick: () => look(false) }, t("Plan")),
     (bearing) => chart.layBearing(bearing, bridgeEye(link.latest("SceneDescription")?.length_overall ?? 0)),
   );
-  plan.append(h("button", { class: "plain to-view", type: "button", onclick: () => look(true) }, "Look out"));
+  plan.append(h("button", { class: "plain to-view", type: "button", onclick: () => look(true) }, t("Look out")));
   page.root.classList.add("bridge");
   page.root.append(
     instruments.element,
@@ -106,7 +107,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
 /** Two panels, of which one is shown: tabs as WAI-ARIA has them. */
 function besidePlan(orders: HTMLElement, watch: HTMLElement, first: "orders" | "watch"): HTMLElement {
   const panels = { orders, watch };
-  const names = { orders: "Forecastle", watch: "Anchor watch" };
+  const names = { orders: t("Forecastle"), watch: t("Anchor watch") };
   const keys = Object.keys(panels) as (keyof typeof panels)[];
   const tabs = keys.map((key) =>
     h(
@@ -133,7 +134,7 @@ function besidePlan(orders: HTMLElement, watch: HTMLElement, first: "orders" | "
     setAttribute(panels[key], "role", "tabpanel");
     setAttribute(panels[key], "aria-labelledby", `tab-${key}`);
   });
-  const list = h("div", { class: "tabs", role: "tablist", "aria-label": "beside the plan" }, ...tabs);
+  const list = h("div", { class: "tabs", role: "tablist", "aria-label": t("beside the plan") }, ...tabs);
   list.addEventListener("keydown", (event) => {
     if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
     const other = tabs.find((tab) => tab.tabIndex === -1)!;

@@ -3,6 +3,7 @@
 import { h, setAttribute } from "../kit/dom";
 import { colour, onPalette } from "../kit/palette";
 import { figure } from "../kit/units";
+import { t } from "../kit/language";
 
 const kSpan = 600; // s
 const kApart = 1; // s between two soundings that are kept
@@ -80,8 +81,11 @@ export class DepthTrace {
       this.element,
       "aria-label",
       depths.length
-        ? `depth below keel over ten minutes, ${figure(Math.min(...depths), 1)} to ${figure(deepest, 1)} m`
-        : "depth below keel: no trace",
+        ? t("depth below keel over ten minutes, {least} to {most} m", {
+            least: figure(Math.min(...depths), 1),
+            most: figure(deepest, 1),
+          })
+        : t("depth below keel: no trace"),
     );
   }
 }

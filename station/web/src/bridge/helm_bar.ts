@@ -3,6 +3,7 @@
 import { ownerWords } from "../kit/authority";
 import { h, setAttribute, setText } from "../kit/dom";
 import type { HelmHand } from "./helm_hand";
+import { t } from "../kit/language";
 
 export class HelmBar {
   readonly element: HTMLElement;
@@ -11,17 +12,17 @@ export class HelmBar {
 
   constructor(private readonly helm: HelmHand) {
     this.act = h("button", { class: "plain", type: "button", onclick: () => this.toggle() });
-    this.element = h("div", { class: "helm-bar", role: "status" }, h("span", {}, "helm: ", this.who), this.act);
+    this.element = h("div", { class: "helm-bar", role: "status" }, h("span", {}, `${t("helm:")} `, this.who), this.act);
   }
 
   update(): void {
     const authority = this.helm.authority();
     setAttribute(this.element, "data-owner", authority.owner);
-    const owner = this.helm.granted() ? ownerWords(authority) : "not this seat's";
-    setText(this.who, this.helm.known() ? owner : "waiting \u2026");
+    const owner = this.helm.granted() ? ownerWords(authority) : t("not this seat's");
+    setText(this.who, this.helm.known() ? owner : t("waiting …"));
     this.act.hidden = !this.helm.granted();
     this.act.disabled = authority.owner !== "mine" && !this.helm.movable();
-    setText(this.act, authority.owner === "mine" ? "Leave helm" : "Take helm");
+    setText(this.act, authority.owner === "mine" ? t("Leave helm") : t("Take helm"));
   }
 
   private toggle(): void {

@@ -3,20 +3,21 @@
 import { type Authority, helmAuthority } from "../kit/authority";
 import type { Connection, HelmLevers } from "../wire/connection";
 import type { HelmCommand } from "../wire/generated";
+import { t } from "../kit/language";
 
 /** Telegraph orders, share of full thrust; tuned to what the model's engine makes of them. */
 export const kTelegraph = [-1, -0.7, -0.4, -0.2, 0, 0.2, 0.4, 0.7, 1] as const;
-export const kTelegraphWords = [
-  "full astern",
-  "half astern",
-  "slow astern",
-  "dead slow astern",
-  "stop",
-  "dead slow ahead",
-  "slow ahead",
-  "half ahead",
-  "full ahead",
-] as const;
+export const kTelegraphWords: readonly string[] = [
+  t("full astern"),
+  t("half astern"),
+  t("slow astern"),
+  t("dead slow astern"),
+  t("stop"),
+  t("dead slow ahead"),
+  t("slow ahead"),
+  t("half ahead"),
+  t("full ahead"),
+];
 
 const kTakeOver = 600; // ms, in which a hand that has just moved a lever may not be heard yet
 const kBetweenSends = 40; // ms: well below what the station takes

@@ -2,6 +2,7 @@
 
 import { h } from "../kit/dom";
 import { kKeys } from "./keys";
+import { t } from "../kit/language";
 
 /** A dialog that is not yet in the page. */
 export function helpDialog(): HTMLDialogElement {
@@ -9,13 +10,13 @@ export function helpDialog(): HTMLDialogElement {
     h("tr", {}, ...texts.map((text) => h(cell, {}, text)));
   return h(
     "dialog",
-    { class: "help", "aria-label": "keys and gamepad" },
+    { class: "help", "aria-label": t("keys and gamepad") },
     h(
       "table",
       {},
-      h("thead", {}, row("th", ["Key", "Does", "Gamepad"])),
+      h("thead", {}, row("th", [t("Key"), t("Does"), "Gamepad"])),
       h("tbody", {}, ...kKeys.map((texts) => row("td", texts))),
     ),
-    h("form", { method: "dialog" }, h("button", { class: "primary" }, "Close")),
+    h("form", { method: "dialog" }, h("button", { class: "primary" }, t("Close"))),
   );
 }

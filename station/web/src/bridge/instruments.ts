@@ -3,12 +3,13 @@
 import "@oicl/openbridge-webcomponents/dist/navigation-instruments/compass/compass.js";
 
 import { h, setAttribute } from "../kit/dom";
-import { bearing, bearingToTenth, degrees, figure, kNauticalMile, knots, timeOfDay } from "../kit/units";
+import { bearing, bearingToTenth, degrees, figure, kNauticalMile, knots, timeOfDay, sideWord } from "../kit/units";
 import { type Position, originOf, positionAt, positionWords } from "../surroundings/position";
 import type { BridgeView, Landmarks } from "../wire/generated";
 import { DepthTrace } from "./depth_trace";
 import { Readout } from "./readout";
 import { type Wind, trueWind } from "./wind";
+import { t } from "../kit/language";
 
 const kTurn = 30; // degrees a minute, at the end of the compass's bar
 
@@ -45,14 +46,14 @@ export class Instruments {
   private readonly course = new Readout("COG", "\u00b0");
   private readonly log = new Readout("LOG", "kn", 30);
   private readonly position = new Readout("GPS", "", 1e7);
-  private readonly depth = new Readout("Below keel", "m", 1000);
+  private readonly depth = new Readout(t("Below keel"), "m", 1000);
   private readonly trace = new DepthTrace();
-  private readonly apparent = new Readout("Wind, apparent", "kn", 120);
-  private readonly wind = new Readout("Wind, true", "kn", 120);
-  private readonly clock = new Readout("Local time", "", 24);
+  private readonly apparent = new Readout(t("Wind, apparent"), "kn", 120);
+  private readonly wind = new Readout(t("Wind, true"), "kn", 120);
+  private readonly clock = new Readout(t("Local time"), "", 24);
   private origin: Position | undefined; // of the chart
   private view: BridgeView | undefined; // to be shown with the next frame
-  private readonly sight = new Readout("Visibility", "NM", 100);
+  private readonly sight = new Readout(t("Visibility"), t("NM"), 100);
 
   constructor() {
     Object.assign(this.compass, {
@@ -70,7 +71,7 @@ export class Instruments {
     place();
     this.element = h(
       "section",
-      { class: "panel instruments", "aria-label": "instruments" },
+      { class: "panel instruments", "aria-label": t("instruments") },
       this.dial,
       h(
         "div",
@@ -104,7 +105,7 @@ export class Instruments {
       this.turn.show(
         turn,
         figure(Math.abs(turn), 1),
-        Math.abs(turn) < 0.05 ? "steady" : turn > 0 ? "to starboard" : "to port",
+        Math.abs(turn) < 0.05 ? t("steady") : turn > 0 ? t("to starboard") : t("to port"),
       );
     } else {
       this.heading.fail();
@@ -120,7 +121,11 @@ export class Instruments {
     } else for (const readout of [this.overGround, this.course, this.position]) readout.fail();
     if (view.log_works) {
       const speed = knots(view.speed_through_water);
-      this.log.show(speed, figure(Math.abs(speed), 1), Math.abs(speed) < 0.05 ? "" : speed > 0 ? "ahead" : "astern");
+      this.log.show(
+        speed,
+        figure(Math.abs(speed), 1),
+        Math.abs(speed) < 0.05 ? "" : speed > 0 ? t("ahead") : t("astern"),
+      );
     } else this.log.fail();
     if (view.echo_sounder_works) this.depth.show(view.depth_below_keel, figure(view.depth_below_keel, 1));
     else this.depth.fail();
@@ -141,11 +146,16 @@ export class Instruments {
     const speed = knots(view.wind_speed_apparent);
     const side =
       Math.abs(degrees(bow)) < 0.5
-        ? "ahead"
-        : `${figure(Math.abs(degrees(bow)))}\u00b0 ${bow > 0 ? "starboard" : "port"}`;
+        ? t("ahead")
+        : `${figure(Math.abs(degrees(bow)))}\u00b0 ${sideWord(bow > 0 ? 1 : 0)}`;
     this.apparent.show(speed, figure(speed, 1), side);
     const wind = windOf(view);
-    if (wind) this.wind.show(knots(wind.speed), figure(knots(wind.speed), 1), `from ${bearing(wind.from)}\u00b0`);
+    if (wind)
+      this.wind.show(
+        knots(wind.speed),
+        figure(knots(wind.speed), 1),
+        t("from {bearing}°", { bearing: bearing(wind.from) }),
+      );
     else this.wind.fail();
   }
 
@@ -154,7 +164,9 @@ export class Instruments {
     setAttribute(
       this.dial,
       "aria-label",
-      view.gyro_works ? `compass: heading ${bearing(view.heading)} degrees` : "compass: gyro failed",
+      view.gyro_works
+        ? t("compass: heading {heading} degrees", { heading: bearing(view.heading) })
+        : t("compass: gyro failed"),
     );
     if (!this.compass.isConnected) return;
     const wind = windOf(view);

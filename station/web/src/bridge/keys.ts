@@ -3,16 +3,17 @@
 import { radians } from "../kit/units";
 import type { HelmHand } from "./helm_hand";
 import { stepRudder } from "./wheel";
+import { t } from "../kit/language";
 
 /** For the page's help. */
 export const kKeys: readonly [string, string, string][] = [
-  ["w s", "telegraph, one order up or down", "d-pad up, down"],
-  ["a d", "rudder 5\u00b0 to port, to starboard", "left stick"],
-  ["z", "rudder amidships", "A"],
-  [", .", "bow thruster to port, to starboard while held (Shift: full)", "triggers"],
-  ["F2", "acknowledge the topmost alert", ""],
-  ["F3", "silence alerts", ""],
-  ["?", "this help", ""],
+  ["w s", t("telegraph, one order up or down"), t("d-pad up, down")],
+  ["a d", t("rudder 5\u00b0 to port, to starboard"), t("left stick")],
+  ["z", t("rudder amidships"), "A"],
+  [", .", t("bow thruster to port, to starboard while held (Shift: full)"), t("triggers")],
+  ["F2", t("acknowledge the topmost alert"), ""],
+  ["F3", t("silence alerts"), ""],
+  ["?", t("this help"), ""],
 ];
 
 const kThrust = 0.5;

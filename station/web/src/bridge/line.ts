@@ -3,7 +3,7 @@
 
 import { begins, leave } from "../kit/branch";
 import { orderState, written } from "../kit/orders";
-import { reportText, withSide } from "../kit/words";
+import { reportText, withSide, eventText } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { type BridgeOrder, BridgeOrderState, EventSeverity, type Report, type SeatEvent } from "../wire/generated";
 
@@ -106,7 +106,12 @@ export class Line {
         order,
       })),
       ...this.reports.map(({ time, text, left }): Said => ({ kind: "report", time, text, left })),
-      ...this.notices.map(({ time, text, left }): Said => ({ kind: "notice", time, text, left })),
+      ...this.notices.map((event): Said => ({
+        kind: "notice",
+        time: event.time,
+        text: eventText(event),
+        left: event.left,
+      })),
     ];
     return said.reverse().sort((a, b) => Number(a.left) - Number(b.left) || b.time - a.time);
   }

@@ -9,12 +9,14 @@ import { capital, figureText, orderRows, orderText } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { BridgeOrderCode, BridgeOrderState } from "../wire/generated";
 import { type Line, type Said, stateWords } from "./line";
+import { t } from "../kit/language";
 
 const C = BridgeOrderCode;
 /** As an anchoring goes: those that have a button. */
 const kOrders = orderRows.flatMap(({ label }, code: BridgeOrderCode) =>
   label ? [{ code, text: capital(label) }] : [],
 );
+const kinds = { order: t("order"), report: t("report"), notice: t("notice") };
 const kShackles = [0.5, 1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
 const kMetres = [1, 2, 3, 5, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80];
 
@@ -26,16 +28,16 @@ export class OrderPanel {
   private side = 0;
   private readonly sides: HTMLButtonElement[];
   private readonly buttons: HTMLElement;
-  private readonly pad = h("div", { class: "figure-pad", hidden: true, role: "group" });
+  private readonly pad = h("div", { class: "figure-pad", hidden: true, role: "group", lang: "en" });
   private readonly words = h("input", {
     type: "text",
     maxLength: 255,
-    placeholder: "in own words",
-    "aria-label": "order in own words",
+    placeholder: t("in own words"),
+    "aria-label": t("order in own words"),
   });
   private readonly vhf = h("p", { class: "vhf", role: "status" });
   private readonly refusal = h("p", { class: "refusal", role: "alert" });
-  private readonly list = h("ol", { class: "said", "aria-label": "said on the line", tabIndex: 0 });
+  private readonly list = h("ol", { class: "said", "aria-label": t("said on the line"), tabIndex: 0 });
   private readonly news = h("div", { class: "sr-only", role: "log", "aria-live": "polite" });
   private told: string | undefined;
   private due = false;
@@ -44,12 +46,12 @@ export class OrderPanel {
     private readonly link: Connection,
     private readonly line: Line,
   ) {
-    this.sides = ["Port", "Both", "Starboard"].map((text, k) =>
+    this.sides = [t("Port"), t("Both"), t("Starboard")].map((text, k) =>
       h("button", { class: "plain", type: "button", onclick: () => this.choose([0, -1, 1][k]!) }, text),
     );
     this.buttons = h(
       "div",
-      { class: "order-buttons" },
+      { class: "order-buttons", lang: "en" },
       ...kOrders.map(({ code, text }) =>
         h(
           "button",
@@ -74,16 +76,16 @@ export class OrderPanel {
         },
       },
       this.words,
-      h("button", { class: "plain" }, "Say"),
+      h("button", { class: "plain" }, t("Say")),
     );
     this.element = h(
       "section",
-      { class: "orders", "aria-label": "orders and reports" },
+      { class: "orders", "aria-label": t("orders and reports") },
       h(
         "div",
         { class: "row to" },
-        h("h2", {}, "Order to"),
-        h("div", { class: "sides", role: "group", "aria-label": "which anchor" }, ...this.sides),
+        h("h2", {}, t("Order to")),
+        h("div", { class: "sides", role: "group", "aria-label": t("which anchor") }, ...this.sides),
       ),
       this.vhf,
       this.buttons,
@@ -141,7 +143,7 @@ export class OrderPanel {
       );
     this.pad.replaceChildren(
       h("p", {}, `${text} \u2026 ${unit.written}`),
-      ...(orderMayBeBare(code) ? [choice(0, "now")] : []),
+      ...(orderMayBeBare(code) ? [choice(0, t("now"))] : []),
       ...(unit.one === "metre" ? kMetres : kShackles).map((value) => choice(value, half(value))),
     );
     (this.pad.querySelector("button") as HTMLElement).focus();
@@ -160,7 +162,7 @@ export class OrderPanel {
       });
       return true;
     } catch (why) {
-      setText(this.refusal, `Not given: ${(why as Error).message}`);
+      setText(this.refusal, t("Not given: {why}", { why: (why as Error).message }));
       return false;
     }
   }
@@ -183,13 +185,15 @@ export class OrderPanel {
     setText(
       this.vhf,
       !works
-        ? "\u26a0 VHF is dead: no word gets through. Hand signals do in clear sight: let go, check, hold on, " +
-            "walk back, heave, stop heaving, stand clear, without a figure."
+        ? `\u26a0 ${t(
+            "VHF is dead: no word gets through. Hand signals do in clear sight: let go, check, hold on, " +
+              "walk back, heave, stop heaving, stand clear, without a figure.",
+          )}`
         : !this.line.known()
-          ? "VHF: waiting \u2026"
+          ? t("VHF: waiting …")
           : granted
-            ? "VHF works"
-            : "VHF works. This seat gives no orders: the conning seat or the instructor does.",
+            ? t("VHF works")
+            : t("VHF works. This seat gives no orders: the conning seat or the instructor does."),
     );
     for (const control of this.element.querySelectorAll<HTMLButtonElement | HTMLInputElement>(
       ".order-buttons button, .figure-pad button, .say button, .say input",
@@ -199,7 +203,8 @@ export class OrderPanel {
     this.list.replaceChildren(...said.slice(0, 100).map((s) => this.row(s, granted)));
     const newest = said.find((s) => s.kind === "report" && !s.left);
     const news = newest && `${clock(newest.time)} ${newest.text}`;
-    if (news && this.told !== undefined && news !== this.told) setText(this.news, `report: ${newest.text}`);
+    if (news && this.told !== undefined && news !== this.told)
+      setText(this.news, t("report: {text}", { text: newest.text }));
     this.told = news ?? "";
   }
 
@@ -218,7 +223,7 @@ export class OrderPanel {
       h("span", { class: "time" }, clock(said.time)),
       h(
         "span",
-        { class: "sign", "aria-label": said.kind, role: "img" },
+        { class: "sign", "aria-label": kinds[said.kind], role: "img" },
         { order: "\u25b8", report: "\u25c2", notice: "\u26a0" }[said.kind],
       ),
       h(
@@ -233,18 +238,19 @@ export class OrderPanel {
           {
             class: "plain",
             type: "button",
-            "aria-label": `cancel order ${order.number}: ${said.text}`,
+            "aria-label": t("cancel order {number}: {text}", { number: order.number, text: said.text }),
             onclick: () => void this.give(C.BRIDGE_ORDER_CANCEL, 0, "", order.number),
           },
-          "Cancel",
+          t("Cancel"),
         ),
     );
   }
 
   private stateOf({ order }: Said): string {
     if (!order) return "";
-    if (order.repeat_by === 0 && order.state === BridgeOrderState.ORDER_GIVEN) return `no. ${order.number}`;
-    const by = order.state === BridgeOrderState.ORDER_GIVEN ? `, by ${clock(order.repeat_by)}` : "";
-    return `no. ${order.number} ${stateWords(order.state)}${by}`;
+    const number = t("no. {number}", { number: order.number });
+    if (order.state !== BridgeOrderState.ORDER_GIVEN) return `${number} ${stateWords(order.state)}`;
+    if (order.repeat_by === 0) return number;
+    return t("{order}, by {time}", { order: `${number} ${stateWords(order.state)}`, time: clock(order.repeat_by) });
   }
 }

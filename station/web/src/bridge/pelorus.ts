@@ -4,6 +4,7 @@
 import { h, setAttribute, setText } from "../kit/dom";
 import { bearingToTenth, radians } from "../kit/units";
 import type { BridgeView } from "../wire/generated";
+import { t } from "../kit/language";
 
 const kTurn = radians(1); // by an arrow key; a tenth of it with Shift
 
@@ -15,10 +16,10 @@ export class Pelorus {
     {
       class: "plain",
       type: "button",
-      title: "takes bearings: turn the view until the mark stands behind the line",
+      title: t("takes bearings: turn the view until the mark stands behind the line"),
       onclick: () => this.set(!this.on),
     },
-    "Pelorus",
+    t("Pelorus"),
   );
   private readonly reads = h("output", { class: "pelorus-reads" });
   private readonly take = h(
@@ -26,14 +27,14 @@ export class Pelorus {
     {
       class: "plain",
       type: "button",
-      title: "lays this bearing on the plan from the bridge, as EBL 1; arrow keys turn the view",
+      title: t("lays this bearing on the plan from the bridge, as EBL 1; arrow keys turn the view"),
       onclick: () => this.bearing !== undefined && this.lay(this.bearing),
     },
-    "Lay on plan",
+    t("Lay on plan"),
   );
   readonly element = h(
     "div",
-    { class: "pelorus", role: "group", "aria-label": "pelorus" },
+    { class: "pelorus", role: "group", "aria-label": t("pelorus") },
     h("div", { class: "hair" }),
     h("div", { class: "row" }, this.reads, this.take),
   );
@@ -66,8 +67,14 @@ export class Pelorus {
   show(turned: number, view: BridgeView | undefined): void {
     if (this.element.hidden) return;
     this.bearing = view?.gyro_works ? view.heading + turned : undefined;
-    const ahead = `R ${reading(turned)}`;
-    setText(this.reads, this.bearing === undefined ? `${ahead}, no gyro` : `${reading(this.bearing)} T, ${ahead}`);
+    const ahead = t("R {bearing}", { bearing: reading(turned) });
+    const north = this.bearing;
+    setText(
+      this.reads,
+      north === undefined
+        ? t("{bearing}, no gyro", { bearing: ahead })
+        : `${t("{bearing} T", { bearing: reading(north) })}, ${ahead}`,
+    );
     this.take.disabled = this.bearing === undefined;
   }
 

@@ -4,13 +4,14 @@ import type { PlanCircle, PlanMark } from "../plan/picture";
 import type { PlanView } from "../plan/plan_view";
 import { waterline } from "../plan/hull_outline";
 import { soilLetter } from "../kit/words";
-import { clock, sideName } from "../kit/units";
+import { clock, sideWord } from "../kit/units";
 import type { Connection } from "../wire/connection";
 import type { BridgeView } from "../wire/generated";
 import { type AnchorPlot, shipOf } from "./anchor_plot";
 import { windOf } from "./instruments";
 import { Kept } from "./kept";
 import type { WatchPanel } from "./watch_panel";
+import { t } from "../kit/language";
 
 const kTrack = 1800; // s
 const kApart = 4; // s between two points of the track
@@ -99,7 +100,15 @@ export class PlanFeed {
   private marks(): PlanMark[] {
     return ([0, 1] as const).flatMap((side): PlanMark[] => {
       const { place, time } = this.anchors.of(side);
-      return place ? [{ kind: "anchor", ...place, label: `${sideName(side)} let go ${clock(time ?? 0)}` }] : [];
+      return place
+        ? [
+            {
+              kind: "anchor",
+              ...place,
+              label: t("{side} let go {time}", { side: sideWord(side), time: clock(time ?? 0) }),
+            },
+          ]
+        : [];
     });
   }
 
@@ -111,8 +120,8 @@ export class PlanFeed {
       const drag = this.anchors.drag(side);
       if (!place || !swing || !drag) return [];
       return [
-        { id: `swing${side}`, kind: "swing", ...place, radius: swing, label: "swinging" },
-        { id: `drag${side}`, kind: "drag", ...place, radius: drag, label: "drag" },
+        { id: `swing${side}`, kind: "swing", ...place, radius: swing, label: t("swinging") },
+        { id: `drag${side}`, kind: "drag", ...place, radius: drag, label: t("drag|circle") },
       ];
     });
     return watch ? [...swinging, watch] : swinging;

@@ -1,6 +1,7 @@
 // One figure with its name and unit, or a mark that its instrument has failed.
 
 import { h, setAttribute, setText } from "../kit/dom";
+import { t } from "../kit/language";
 
 export class Readout {
   readonly element: HTMLElement;
@@ -38,9 +39,9 @@ export class Readout {
   fail(): void {
     setAttribute(this.element, "data-failed", "");
     setAttribute(this.element, "aria-valuenow", "0");
-    setAttribute(this.element, "aria-valuetext", "failed, no signal");
+    setAttribute(this.element, "aria-valuetext", t("failed, no signal"));
     setText(this.value, "\u26a0");
-    setText(this.unit_, "failed");
+    setText(this.unit_, t("failed"));
     setText(this.more, "");
   }
 }

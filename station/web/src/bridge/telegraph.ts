@@ -3,6 +3,7 @@
 import { h, setAttribute, setText, svg } from "../kit/dom";
 import { figure } from "../kit/units";
 import { type HelmHand, detentOf, kTelegraph, kTelegraphWords } from "./helm_hand";
+import { t } from "../kit/language";
 
 const kRow = 26; // units of the drawing, one order
 const kRows = kTelegraph.length;
@@ -11,7 +12,17 @@ const kWidth = 196;
 const kTrack = 118; // left edge of the lever's slot
 const kScale = 158; // left edge of the engine's scale
 
-const short = ["Full", "Half", "Slow", "Dead slow", "Stop", "Dead slow", "Slow", "Half", "Full"];
+const short = [
+  t("Full"),
+  t("Half"),
+  t("Slow"),
+  t("Dead slow"),
+  t("Stop"),
+  t("Dead slow"),
+  t("Slow"),
+  t("Half"),
+  t("Full"),
+];
 
 export class Telegraph {
   readonly element: HTMLElement;
@@ -28,7 +39,7 @@ export class Telegraph {
       class: "telegraph",
       role: "slider",
       tabindex: 0,
-      "aria-label": "engine telegraph",
+      "aria-label": t("engine telegraph"),
       "aria-valuenow": 4, // until more is known
       "aria-orientation": "vertical",
       "aria-valuemin": 0,
@@ -50,8 +61,8 @@ export class Telegraph {
       this.picture.append(word, svg("line", { class: "tick", x1: kTrack - 9, x2: kTrack, y1: y, y2: y }));
     });
     for (const [text, k] of [
-      ["ahead", 6.5],
-      ["astern", 1.5],
+      [t("ahead"), 6.5],
+      [t("astern"), 1.5],
     ] as const) {
       const y = this.row(k);
       this.picture.append(
@@ -72,8 +83,8 @@ export class Telegraph {
     );
     this.element = h(
       "section",
-      { class: "panel telegraph-panel", "aria-label": "engine" },
-      h("div", { class: "row" }, h("h2", {}, "Engine")),
+      { class: "panel telegraph-panel", "aria-label": t("engine") },
+      h("div", { class: "row" }, h("h2", {}, t("Engine"))),
       this.picture,
       h("div", { class: "reads", "aria-hidden": "true" }, this.reads, this.answer),
     );
@@ -88,10 +99,10 @@ export class Telegraph {
     const detent = detentOf(order);
     const exact = Math.abs(order - kTelegraph[detent]!) < 0.005;
     const said = exact ? kTelegraphWords[detent]! : `${figure(100 * order)} %`;
-    const does = engine === undefined ? "" : `engine ${figure(100 * engine)} %`;
+    const does = engine === undefined ? "" : t("engine {percent} %", { percent: figure(100 * engine) });
     setAttribute(this.handle, "transform", `translate(0 ${exact ? this.row(detent) : this.place(order)})`);
     setAttribute(this.picture, "aria-valuenow", `${detent}`);
-    setAttribute(this.picture, "aria-valuetext", `ordered ${said}, ${does}`);
+    setAttribute(this.picture, "aria-valuetext", `${t("ordered {order}", { order: said })}, ${does}`);
     this.words.forEach((word, k) => setAttribute(word, "class", exact && k === detent ? "ordered" : undefined));
     setText(this.reads, said);
     setText(this.answer, does);

@@ -1,8 +1,9 @@
 // A thruster's lever: across the ship, as she goes. Set point beside what the thruster does.
 
 import { h, setAttribute, setText, svg } from "../kit/dom";
-import { figure } from "../kit/units";
+import { figure, sideWord } from "../kit/units";
 import type { HelmHand } from "./helm_hand";
+import { t } from "../kit/language";
 
 const kHalf = 100; // units of the drawing from the middle to full
 const kStep = 0.1; // by key
@@ -11,7 +12,7 @@ const kDetent = 0.05; // round zero, in which a hand finds it
 /** "starboard 40 %", "port 100 %", "stop". */
 export function thrustWords(share: number): string {
   const percent = Math.round(100 * share);
-  return percent === 0 ? "stop" : `${percent > 0 ? "starboard" : "port"} ${figure(Math.abs(percent))} %`;
+  return percent === 0 ? t("stop") : `${sideWord(percent > 0 ? 1 : 0)} ${figure(Math.abs(percent))} %`;
 }
 
 export class Thruster {
@@ -41,7 +42,7 @@ export class Thruster {
         class: "thruster",
         role: "slider",
         tabindex: 0,
-        "aria-label": `${name} thruster`,
+        "aria-label": t("{name} thruster", { name }),
         "aria-valuenow": 0, // until more is known
         "aria-valuemin": -100,
         "aria-valuemax": 100,
@@ -86,10 +87,10 @@ export class Thruster {
     setAttribute(this.picture, "aria-disabled", this.helm.movable() ? undefined : "true");
     const order = this.helm.levers()?.[this.lever];
     if (order === undefined) return;
-    const does = thrust === undefined ? "" : `does ${thrustWords(thrust)}`;
+    const does = thrust === undefined ? "" : t("does {thrust}", { thrust: thrustWords(thrust) });
     setAttribute(this.handle, "transform", `translate(${(order * kHalf).toFixed(1)} 0)`);
     setAttribute(this.picture, "aria-valuenow", (100 * order).toFixed(0));
-    setAttribute(this.picture, "aria-valuetext", `ordered ${thrustWords(order)}, ${does}`);
+    setAttribute(this.picture, "aria-valuetext", `${t("ordered {order}", { order: thrustWords(order) })}, ${does}`);
     setText(this.reads, thrustWords(order));
     setText(this.answer, does);
     if (thrust === undefined) return;

@@ -4,6 +4,7 @@ import { h, setAttribute } from "../kit/dom";
 import type { BridgeView } from "../wire/generated";
 import type { HelmHand } from "./helm_hand";
 import { Thruster } from "./thruster";
+import { t } from "../kit/language";
 
 export class Thrusters {
   readonly element: HTMLElement;
@@ -12,13 +13,13 @@ export class Thrusters {
   private readonly springs: HTMLButtonElement;
 
   constructor(private readonly helm: HelmHand) {
-    this.bow = new Thruster(helm, "bow_thruster", "Bow");
-    this.stern = new Thruster(helm, "stern_thruster", "Stern");
-    this.springs = h("button", { class: "plain", type: "button", onclick: () => this.toggle() }, "Spring back");
+    this.bow = new Thruster(helm, "bow_thruster", t("Bow"));
+    this.stern = new Thruster(helm, "stern_thruster", t("Stern"));
+    this.springs = h("button", { class: "plain", type: "button", onclick: () => this.toggle() }, t("Spring back"));
     this.element = h(
       "section",
-      { class: "panel thrusters-panel", "aria-label": "thrusters" },
-      h("div", { class: "row" }, h("h2", {}, "Thrusters"), this.springs),
+      { class: "panel thrusters-panel", "aria-label": t("thrusters") },
+      h("div", { class: "row" }, h("h2", {}, t("Thrusters")), this.springs),
       this.bow.element,
       this.stern.element,
     );

@@ -8,16 +8,17 @@ import type { SceneDescription } from "../wire/generated";
 import { LookingOut } from "./from_bridge";
 import { CameraPicture } from "./from_camera";
 import { Pelorus } from "./pelorus";
+import { t } from "../kit/language";
 
-const kPictures = { ahead: "Ahead", cctv: "CCTV" } as const;
+const kPictures = { ahead: t("Ahead"), cctv: t("CCTV") };
 type Picture = keyof typeof kPictures;
 
-const drawnOn = (): HTMLCanvasElement => h("canvas", { "aria-label": "view ahead, drawn", role: "img" });
+const drawnOn = (): HTMLCanvasElement => h("canvas", { "aria-label": t("view ahead, drawn"), role: "img" });
 
 export class ViewOut {
   readonly element: HTMLElement;
   private canvas = drawnOn();
-  private readonly message = h("p", { class: "no-picture" }, "Waiting for the ship \u2026");
+  private readonly message = h("p", { class: "no-picture" }, t("Waiting for the ship …"));
   private readonly buttons: Record<Picture, HTMLButtonElement>;
   private readonly out = new LookingOut();
   private readonly camera = new CameraPicture(this.out);
@@ -39,12 +40,12 @@ export class ViewOut {
     this.buttons = { ahead: button("ahead"), cctv: button("cctv") };
     this.element = h(
       "section",
-      { class: "panel view-out", "aria-label": "view" },
+      { class: "panel view-out", "aria-label": t("view") },
       this.canvas,
       this.message,
       h(
         "div",
-        { class: "pictures", role: "group", "aria-label": "picture" },
+        { class: "pictures", role: "group", "aria-label": t("picture") },
         this.buttons.ahead,
         this.buttons.cctv,
         this.pelorus.button,
@@ -70,7 +71,7 @@ export class ViewOut {
     setAttribute(
       this.canvas,
       "aria-label",
-      picture === "ahead" ? "view ahead, drawn" : "camera on the forecastle, drawn",
+      picture === "ahead" ? t("view ahead, drawn") : t("camera on the forecastle, drawn"),
     );
   }
 
@@ -87,7 +88,7 @@ export class ViewOut {
       if (this.canvas !== canvas) return; // another ship has come meanwhile
       this.scene = new ShipScene(canvas, description);
     } catch (why) {
-      setText(this.message, "This browser draws no WebGL picture; the rest works without it.");
+      setText(this.message, t("This browser draws no WebGL picture; the rest works without it."));
       console.warn(`${why}`);
       return;
     }
@@ -109,7 +110,7 @@ export class ViewOut {
     this.pelorus.show(this.scene.turned, link.latest("BridgeView"));
     setShown(this.canvas, !dead);
     setShown(this.message, dead);
-    if (dead) setText(this.message, "\u26a0 No picture");
+    if (dead) setText(this.message, `\u26a0 ${t("No picture")}`);
     if (frame) this.scene.draw(frame);
   }
 }

@@ -2,7 +2,7 @@
 // her position every five minutes.
 
 import { h, setAttribute, setText } from "../kit/dom";
-import { bearing, clock, figure, kShackle, knots, sideName } from "../kit/units";
+import { bearing, clock, figure, kShackle, knots, sideWord } from "../kit/units";
 import { directionTo, distance, ofShip } from "../plan/projection";
 import type { PlanCircle } from "../plan/picture";
 import type { Connection } from "../wire/connection";
@@ -10,6 +10,7 @@ import { AlertCondition, type BridgeView } from "../wire/generated";
 import { type AnchorPlot, shipOf } from "./anchor_plot";
 import { windOf } from "./instruments";
 import { Kept } from "./kept";
+import { t } from "../kit/language";
 
 const kBetweenEntries = 300; // s of exercise time
 const kEntries = 200;
@@ -40,14 +41,14 @@ export class WatchPanel {
     row: HTMLElement;
     cable: HTMLInputElement;
   }[];
-  private readonly centre = h("select", { "aria-label": "centre of the circle" });
+  private readonly centre = h("select", { "aria-label": t("centre of the circle") });
   private readonly radius = h("input", {
     type: "number",
     min: `${kLeast}`,
     max: `${kMost}`,
     step: "5",
     value: "300",
-    "aria-label": "radius, m",
+    "aria-label": t("radius, m"),
   });
   private readonly keep: HTMLButtonElement;
   private readonly end: HTMLButtonElement;
@@ -74,21 +75,25 @@ export class WatchPanel {
       (book, time) => book.filter((entry) => entry.time <= time),
     );
     this.anchors = ([0, 1] as const).map((side) => this.anchorRow(side));
-    this.keep = h("button", { class: "primary", type: "button", onclick: () => void this.order(true) }, "Keep watch");
-    this.end = h("button", { type: "button", onclick: () => void this.order(false) }, "End");
+    this.keep = h(
+      "button",
+      { class: "primary", type: "button", onclick: () => void this.order(true) },
+      t("Keep watch"),
+    );
+    this.end = h("button", { type: "button", onclick: () => void this.order(false) }, t("End"));
     this.radius.addEventListener("input", () => (this.radiusTouched = true));
     this.centre.append(
-      h("option", { value: "0" }, "port anchor"),
-      h("option", { value: "1" }, "starboard anchor"),
-      h("option", { value: "ship" }, "ship, as she lies"),
+      h("option", { value: "0" }, t("port anchor")),
+      h("option", { value: "1" }, t("starboard anchor")),
+      h("option", { value: "ship" }, t("ship, as she lies")),
     );
     this.centre.addEventListener("change", () => this.propose());
     this.element = h(
       "section",
-      { class: "watch", "aria-label": "anchor watch" },
-      h("h2", {}, "Anchors, as plotted"),
+      { class: "watch", "aria-label": t("anchor watch") },
+      h("h2", {}, t("Anchors, as plotted")),
       ...this.anchors.map((a) => a.row),
-      h("h2", {}, "Anchor watch"),
+      h("h2", {}, t("Anchor watch")),
       h(
         "div",
         { class: "row circle" },
@@ -101,19 +106,23 @@ export class WatchPanel {
       h(
         "div",
         { class: "row" },
-        h("h2", {}, "Book"),
-        h("button", { class: "plain", type: "button", onclick: () => this.enter() }, "Enter now"),
+        h("h2", {}, t("Book")),
+        h("button", { class: "plain", type: "button", onclick: () => this.enter() }, t("Enter now")),
       ),
       h(
         "div",
-        { class: "book", tabIndex: 0, role: "region", "aria-label": "book of the watch" },
+        { class: "book", tabIndex: 0, role: "region", "aria-label": t("book of the watch") },
         h(
           "table",
           {},
           h(
             "thead",
             {},
-            h("tr", {}, ...["Time", "From centre", "HDG", "Keel", "Wind"].map((t) => h("th", { scope: "col" }, t))),
+            h(
+              "tr",
+              {},
+              ...[t("Time"), t("From centre"), "HDG", t("Keel"), t("Wind")].map((t) => h("th", { scope: "col" }, t)),
+            ),
           ),
           this.rows,
         ),
@@ -136,7 +145,7 @@ export class WatchPanel {
   circle(): PlanCircle | undefined {
     const watch = this.kept.value;
     if (!watch) return undefined;
-    return { id: "watch", kind: "watch", label: "watch", ...watch, left: this.left(), editable: this.granted() };
+    return { id: "watch", kind: "watch", label: t("watch"), ...watch, left: this.left(), editable: this.granted() };
   }
 
   /** Puts another radius on the circle that is kept, m. */
@@ -159,19 +168,21 @@ export class WatchPanel {
       const swing = this.plot.swing(side);
       setAttribute(mark, "data-asked", reported ? "" : undefined);
       const does = reported
-        ? `Plot: let go at ${clock(reported.time)}`
+        ? t("Plot: let go at {time}", { time: clock(reported.time) })
         : place
-          ? "Plot anew: hawse now"
-          : "Plot: hawse now";
+          ? t("Plot anew: hawse now")
+          : t("Plot: hawse now");
       setText(mark, does);
-      setAttribute(mark, "aria-label", `${does}; plot the ${sideName(side)} anchor`);
+      setAttribute(mark, "aria-label", t("{does}; plot the {side} anchor", { does, side: sideWord(side) }));
       mark.disabled = !reported && !this.plot.hawse(side);
       clear.disabled = !place && !reported;
       const lies = place
-        ? `plotted at ${clock(time ?? 0)}${swing ? `; swings ${figure(swing)} m` : "; cable not reported"}`
+        ? swing
+          ? t("plotted at {time}; swings {swing} m", { time: clock(time ?? 0), swing: figure(swing) })
+          : t("plotted at {time}; cable not reported", { time: clock(time ?? 0) })
         : reported
-          ? "let go reported, not plotted"
-          : "not plotted";
+          ? t("let go reported, not plotted")
+          : t("not plotted");
       setText(text, lies);
       if (document.activeElement !== cable) {
         const shackles = out === undefined ? "" : String(Math.round((out / kShackle) * 10) / 10);
@@ -181,12 +192,12 @@ export class WatchPanel {
     const granted = this.granted();
     this.keep.disabled = !granted || !this.centrePlace();
     this.end.disabled = !granted || !this.kept.value;
-    setText(this.keep, this.kept.value ? "Set anew" : "Keep watch");
+    setText(this.keep, this.kept.value ? t("Set anew") : t("Keep watch"));
     this.showState();
   }
 
   private anchorRow(side: Side): WatchPanel["anchors"][number] {
-    const name = sideName(side);
+    const name = sideWord(side);
     const mark = h("button", {
       class: "plain mark",
       type: "button",
@@ -197,17 +208,17 @@ export class WatchPanel {
       {
         class: "plain",
         type: "button",
-        "aria-label": `Clear: take the ${name} anchor off the plan`,
+        "aria-label": t("Clear: take the {side} anchor off the plan", { side: name }),
         onclick: () => this.plot.clear(side),
       },
-      "Clear",
+      t("Clear"),
     );
     const cable = h("input", {
       type: "number",
       min: "0",
       max: "14",
       step: "0.5",
-      "aria-label": `${name} cable out, shackles`,
+      "aria-label": t("{side} cable out, shackles", { side: name }),
     });
     cable.addEventListener("change", () => {
       const shackles = Number(cable.value);
@@ -216,11 +227,11 @@ export class WatchPanel {
     const text = h("small", {});
     const row = h(
       "div",
-      { class: "anchor-row", role: "group", "aria-label": `${name} anchor` },
+      { class: "anchor-row", role: "group", "aria-label": t("{side} anchor", { side: name }) },
       h("strong", {}, name),
       mark,
       clear,
-      h("label", {}, cable, " sh."),
+      h("label", {}, cable, ` ${t("sh.")}`),
       text,
     );
     return { mark, clear, text, row, cable };
@@ -251,12 +262,13 @@ export class WatchPanel {
     const radius = Number(this.radius.value);
     if (!kept) await this.tell(null);
     else if (!centre) return;
-    else if (!(radius >= kLeast && radius <= kMost)) this.refuse(`the radius is ${kLeast} to ${kMost} m`);
+    else if (!(radius >= kLeast && radius <= kMost))
+      this.refuse(t("the radius is {least} to {most} m", { least: kLeast, most: kMost }));
     else await this.tell({ ...centre, radius });
   }
 
   private refuse(why: string): void {
-    this.notSet = `Not set: ${why}. `;
+    this.notSet = `${t("Not set: {why}.", { why })} `;
     this.showState();
   }
 
@@ -294,10 +306,12 @@ export class WatchPanel {
     const farthest = watch ? this.farthest(watch) : undefined;
     setAttribute(this.state, "data-left", watch && this.left() ? "" : undefined);
     const stands = !watch
-      ? "No watch is kept."
+      ? t("No watch is kept.")
       : farthest === undefined
-        ? `Circle of ${figure(watch.radius)} m: no GPS or gyro.`
-        : `${this.left() ? "\u26a0 LEFT: " : "Inside: "}${figure(farthest)} of ${figure(watch.radius)} m`;
+        ? t("Circle of {radius} m: no GPS or gyro.", { radius: figure(watch.radius) })
+        : this.left()
+          ? `\u26a0 ${t("LEFT: {far} of {radius} m", { far: figure(farthest), radius: figure(watch.radius) })}`
+          : t("Inside: {far} of {radius} m", { far: figure(farthest), radius: figure(watch.radius) });
     setText(this.state, this.notSet + stands);
   }
 

@@ -1,8 +1,9 @@
 // The wheel, and round it the rudder: the pointer on the scale is what the wheel orders, the bar where the rudder is.
 
 import { h, setAttribute, setText, svg } from "../kit/dom";
-import { degrees, figure, radians } from "../kit/units";
+import { degrees, figure, radians, sideWord } from "../kit/units";
 import type { HelmHand } from "./helm_hand";
+import { t } from "../kit/language";
 
 const kGain = 3.4; // the wheel turns by so much for the rudder's angle: 119 degrees for 35
 const kRadius = 112; // of the scale, units of the drawing
@@ -14,7 +15,7 @@ const kKeyStep = radians(5);
 /** "starboard 5°", "port 12°", "midships". */
 export function rudderWords(angle: number): string {
   const whole = Math.round(degrees(angle));
-  return whole === 0 ? "midships" : `${whole > 0 ? "starboard" : "port"} ${Math.abs(whole)}\u00b0`;
+  return whole === 0 ? t("midships") : `${sideWord(whole > 0 ? 1 : 0)} ${Math.abs(whole)}\u00b0`;
 }
 
 export class Wheel {
@@ -35,7 +36,7 @@ export class Wheel {
       class: "wheel-picture",
       role: "slider",
       tabindex: 0,
-      "aria-label": "wheel",
+      "aria-label": t("wheel"),
       "aria-valuenow": 0, // until more is known
       onpointerdown: (event: PointerEvent) => this.grasp(event),
       onpointermove: (event: PointerEvent) => this.turn(event),
@@ -54,15 +55,15 @@ export class Wheel {
     this.picture.append(this.scale, this.bar, this.pointer, this.wheel);
     this.element = h(
       "section",
-      { class: "panel wheel-panel", "aria-label": "helm" },
+      { class: "panel wheel-panel", "aria-label": t("helm") },
       h(
         "div",
         { class: "row" },
-        h("h2", {}, "Helm"),
+        h("h2", {}, t("Helm")),
         h(
           "button",
-          { class: "plain", type: "button", onclick: () => this.helm.put({ rudder: 0 }), title: "key z" },
-          "Midships",
+          { class: "plain", type: "button", onclick: () => this.helm.put({ rudder: 0 }), title: t("key z") },
+          t("Midships"),
         ),
       ),
       this.picture,
@@ -80,8 +81,8 @@ export class Wheel {
     setAttribute(this.wheel, "transform", `rotate(${(degrees(order) * kGain).toFixed(2)})`);
     setAttribute(this.pointer, "transform", `rotate(${(-degrees(order) * kSpread).toFixed(2)})`);
     setAttribute(this.picture, "aria-valuenow", degrees(order).toFixed(0));
-    const is = rudder === undefined ? "" : `rudder ${rudderWords(rudder)}`;
-    setAttribute(this.picture, "aria-valuetext", `ordered ${rudderWords(order)}, ${is}`);
+    const is = rudder === undefined ? "" : t("rudder {angle}", { angle: rudderWords(rudder) });
+    setAttribute(this.picture, "aria-valuetext", `${t("ordered {order}", { order: rudderWords(order) })}, ${is}`);
     setText(this.reads, rudderWords(order));
     setText(this.answer, is);
     if (rudder !== undefined) setAttribute(this.bar, "d", this.sector(0, rudder));

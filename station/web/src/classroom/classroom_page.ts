@@ -8,13 +8,14 @@ import type { ClassroomStatus, Event } from "../wire/generated";
 import { CreateForm } from "./create_form";
 import { orderIn } from "./exercise_order";
 import { Tile, type TileAlert } from "./tile";
+import { t } from "../kit/language";
 
 const kLines = 30;
 
 class Classroom {
   private readonly notice = h("p", { class: "notice", role: "status", "aria-live": "polite" });
   private readonly servers = h("div", { class: "servers" });
-  private readonly log = h("ol", { class: "log", "aria-label": "what was done in the classroom" });
+  private readonly log = h("ol", { class: "log", "aria-label": t("what was done in the classroom") });
   private readonly groups = new Map<string, { element: HTMLElement; figures: HTMLElement; list: HTMLElement }>();
   private readonly tiles = new Map<string, Tile>(); // by server/id
   private readonly create: CreateForm;
@@ -28,17 +29,17 @@ class Classroom {
     const all = (on: boolean): void => this.tiles.forEach((tile) => (tile.chosen = on));
     const button = (text: string, act: () => void): HTMLButtonElement =>
       h("button", { class: "plain", onclick: act }, text);
-    page.topBar.middle.append(h("a", { class: "plain", href: pageAddress("/lessons") }, "Lessons"));
+    page.topBar.middle.append(h("a", { class: "plain", href: pageAddress("/lessons") }, t("Lessons")));
     page.root.classList.add("classroom");
     page.root.append(
       h(
         "div",
-        { class: "bar", role: "toolbar", "aria-label": "chosen exercises" },
-        button("Choose all", () => all(true)),
-        button("none", () => all(false)),
-        h("span", { class: "quiet" }, "chosen ones:"),
-        button("Start", () => void this.runChosen("EXERCISE_START")),
-        button("Pause", () => void this.runChosen("EXERCISE_PAUSE")),
+        { class: "bar", role: "toolbar", "aria-label": t("chosen exercises") },
+        button(t("Choose all"), () => all(true)),
+        button(t("none"), () => all(false)),
+        h("span", { class: "quiet" }, t("chosen ones:")),
+        button(t("Start"), () => void this.runChosen("EXERCISE_START")),
+        button(t("Pause"), () => void this.runChosen("EXERCISE_PAUSE")),
         this.notice,
       ),
       this.servers,
@@ -46,7 +47,12 @@ class Classroom {
         "aside",
         {},
         this.create.element,
-        h("section", { class: "panel done", "aria-label": "done", tabIndex: 0 }, h("h2", {}, "Done"), this.log),
+        h(
+          "section",
+          { class: "panel done", "aria-label": t("done"), tabIndex: 0 },
+          h("h2", {}, t("Done|list of what was done")),
+          this.log,
+        ),
       ),
     );
     page.link.on("ClassroomStatus", () => this.update());
@@ -86,7 +92,7 @@ class Classroom {
   /** One after the other: a station takes few links at a time. */
   private async runChosen(action: string): Promise<void> {
     const chosen = [...this.tiles.values()].filter((tile) => tile.chosen);
-    if (chosen.length === 0) setText(this.notice, "No exercise is chosen");
+    if (chosen.length === 0) setText(this.notice, t("No exercise is chosen"));
     for (const tile of chosen) await this.run(tile.id, action);
   }
 
@@ -144,7 +150,7 @@ class Classroom {
     const list = h("ul", { class: "tiles" });
     const element = h(
       "section",
-      { "aria-label": `server ${status.server}` },
+      { "aria-label": t("server {name}", { name: status.server }) },
       h("header", {}, h("h2", {}, status.server), figures),
       list,
     );
@@ -155,16 +161,21 @@ class Classroom {
   }
 }
 
+function heard(servers: number): string {
+  if (servers === 0) return "";
+  return servers === 1 ? t("hears 1 other server") : t("hears {count} other servers", { count: servers });
+}
+
 /** "5 of 64 exercises, 2 threads, load 1.2 of a core, longest 12:30". */
 function summary(status: ClassroomStatus): string {
   const load = status.exercises.reduce((sum, exercise) => sum + exercise.load, 0);
   const longest = Math.max(0, ...status.exercises.map((exercise) => exercise.time));
   return [
-    `${status.exercises.length} of ${status.max_exercises} exercises`,
-    `${status.threads} ${status.threads === 1 ? "thread" : "threads"}`,
-    `load ${figure(100 * load)} % of a core`,
-    `longest ${clock(longest)}`,
-    status.neighbours > 0 ? `hears ${status.neighbours} other ${status.neighbours === 1 ? "server" : "servers"}` : "",
+    t("{count} of {most} exercises", { count: status.exercises.length, most: status.max_exercises }),
+    status.threads === 1 ? t("1 thread") : t("{count} threads", { count: status.threads }),
+    t("load {percent} % of a core", { percent: figure(100 * load) }),
+    t("longest {time}", { time: clock(longest) }),
+    heard(status.neighbours),
   ]
     .filter(Boolean)
     .join(", ");

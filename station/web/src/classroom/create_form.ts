@@ -2,27 +2,28 @@
 
 import { h } from "../kit/dom";
 import type { OrderSample } from "../wire/connection";
+import { t } from "../kit/language";
 
 const kLargest = 14000; // bytes of a definition: what a message to the station takes
 
 export class CreateForm {
   readonly element: HTMLElement;
-  private readonly server = h("select", { "aria-label": "server" });
+  private readonly server = h("select", { "aria-label": t("server") });
   private readonly id = h("input", {
-    "aria-label": "name of the exercise",
-    placeholder: "name, e.g. anna",
+    "aria-label": t("name of the exercise"),
+    placeholder: t("name, e.g. anna"),
     required: true,
     maxLength: 63,
     pattern: "[A-Za-z0-9._\\-]+",
   });
   private readonly file = h("input", {
-    "aria-label": "exercise file of the server",
-    placeholder: "file, e.g. let_go_port_25m",
+    "aria-label": t("exercise file of the server"),
+    placeholder: t("file, e.g. let_go_port_25m"),
   });
   private readonly definition = h("input", {
     type: "file",
     accept: ".json,application/json",
-    "aria-label": "definition from this computer",
+    "aria-label": t("definition from this computer"),
   });
   private readonly wait = h("input", { type: "checkbox", checked: true });
 
@@ -33,14 +34,14 @@ export class CreateForm {
   ) {
     this.element = h(
       "form",
-      { class: "create panel", "aria-label": "new exercise", onsubmit: (event: Event) => this.send(event) },
-      h("h2", {}, "New exercise"),
+      { class: "create panel", "aria-label": t("new exercise"), onsubmit: (event: Event) => this.send(event) },
+      h("h2", {}, t("New exercise")),
       this.server,
       this.id,
       this.file,
-      h("label", { class: "definition" }, h("span", { class: "quiet" }, "or a definition:"), this.definition),
-      h("label", { class: "row" }, this.wait, "wait to be started"),
-      h("button", { class: "plain primary" }, "Create"),
+      h("label", { class: "definition" }, h("span", { class: "quiet" }, t("or a definition:")), this.definition),
+      h("label", { class: "row" }, this.wait, t("wait to be started")),
+      h("button", { class: "plain primary" }, t("Create")),
     );
   }
 
@@ -55,11 +56,14 @@ export class CreateForm {
     event.preventDefault();
     const chosen = this.definition.files?.[0];
     const exercise = this.file.value.trim();
-    if (!chosen && !exercise) return this.say("New exercise: name a file of the server, or choose a definition");
+    if (!chosen && !exercise) return this.say(t("New exercise: name a file of the server, or choose a definition"));
     if (chosen && chosen.size > kLargest)
       return this.say(
-        `New exercise: ${chosen.name} has ${chosen.size} bytes; ${kLargest} are allowed: ` +
-          "put it into the server's folder",
+        t("New exercise: {name} has {size} bytes; {most} are allowed: put it into the server's folder", {
+          name: chosen.name,
+          size: chosen.size,
+          most: kLargest,
+        }),
       );
     const sample = {
       action: "CLASSROOM_CREATE",

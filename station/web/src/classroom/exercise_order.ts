@@ -3,6 +3,7 @@
 import { pageToken } from "../kit/page";
 import { Connection, type OrderSample, Refused } from "../wire/connection";
 import type { TopicName } from "../wire/generated";
+import { t } from "../kit/language";
 
 const kWait = 5000; // ms, for the exercise to be joined
 
@@ -11,7 +12,7 @@ export async function orderIn(exercise: string, topic: TopicName, sample: OrderS
   const link = new Connection(pageToken(), exercise);
   try {
     await new Promise<void>((opened, failed) => {
-      const timer = setTimeout(() => failed(new Refused(`${exercise} is not reached`)), kWait);
+      const timer = setTimeout(() => failed(new Refused(t("{exercise} is not reached", { exercise }))), kWait);
       link.onState((state) => {
         if (state !== "open") return;
         clearTimeout(timer);

@@ -1,12 +1,13 @@
 // One exercise of a classroom at a glance.
 
-import { priorityWords } from "../kit/alerts";
+import { priorityName, priorityWords } from "../kit/alerts";
 import { h, setAttribute, setText, setVariable } from "../kit/dom";
 import { holdButton } from "../kit/hold_button";
 import { pageAddress } from "../kit/page";
 import { runStateWords } from "../kit/run_state";
-import { clock, figure, sideName } from "../kit/units";
+import { clock, figure, sideWord } from "../kit/units";
 import { type AlertPriority, type ClassroomExercise, RunState } from "../wire/generated";
+import { t, translated } from "../kit/language";
 
 /** The most urgent alert of an exercise that waits to be acknowledged, as the gateway tells it. */
 export interface TileAlert {
@@ -44,26 +45,26 @@ export class Tile {
     readonly id: string,
     wishes: TileWishes,
   ) {
-    this.check = h("input", { type: "checkbox", "aria-label": `choose ${id}` });
+    this.check = h("input", { type: "checkbox", "aria-label": t("choose {id}", { id }) });
     this.start = h(
       "button",
-      { class: "plain", "aria-label": `start ${id}`, onclick: () => wishes.run(id, "EXERCISE_START") },
-      "Start",
+      { class: "plain", "aria-label": t("start {id}", { id }), onclick: () => wishes.run(id, "EXERCISE_START") },
+      t("Start"),
     );
     this.pause = h(
       "button",
-      { class: "plain", "aria-label": `pause ${id}`, onclick: () => wishes.run(id, "EXERCISE_PAUSE") },
-      "Pause",
+      { class: "plain", "aria-label": t("pause {id}", { id }), onclick: () => wishes.run(id, "EXERCISE_PAUSE") },
+      t("Pause"),
     );
     this.alert = h("a", { class: "tile-alert", hidden: true, href: pageAddress("/instructor", { exercise: id }) });
     const desk = h(
       "a",
-      { class: "button", "aria-label": `desk of ${id}`, href: pageAddress("/instructor", { exercise: id }) },
-      "Desk",
+      { class: "button", "aria-label": t("desk of {id}", { id }), href: pageAddress("/instructor", { exercise: id }) },
+      t("Desk"),
     );
-    const remove = holdButton("Remove", 1, () => wishes.remove(server, id), {
+    const remove = holdButton(t("Remove"), 1, () => wishes.remove(server, id), {
       class: "plain",
-      "aria-label": `remove ${id}`,
+      "aria-label": t("remove {id}", { id }),
     });
     this.element = h(
       "li",
@@ -74,10 +75,10 @@ export class Tile {
       h(
         "dl",
         {},
-        h("div", {}, h("dt", {}, "speed"), h("dd", {}, this.scale)),
-        h("div", {}, h("dt", {}, "load of a core"), h("dd", {}, this.load, h("small", {}, " %")), this.bar),
-        h("div", {}, h("dt", {}, "late"), h("dd", {}, this.late, h("small", {}, " ms"))),
-        h("div", {}, h("dt", {}, "overruns"), h("dd", {}, this.overruns)),
+        h("div", {}, h("dt", {}, t("speed")), h("dd", {}, this.scale)),
+        h("div", {}, h("dt", {}, t("load of a core")), h("dd", {}, this.load, h("small", {}, " %")), this.bar),
+        h("div", {}, h("dt", {}, t("late")), h("dd", {}, this.late, h("small", {}, " ms"))),
+        h("div", {}, h("dt", {}, t("overruns")), h("dd", {}, this.overruns)),
       ),
       this.failure,
       h("footer", {}, desk, this.start, this.pause, remove),
@@ -96,11 +97,11 @@ export class Tile {
     this.alert.hidden = !alert;
     if (!alert) return;
     const priority = priorityWords(alert.priority);
-    setAttribute(this.alert, "data-priority", priority);
-    const side = alert.side >= 0 ? `, ${sideName(alert.side)}` : "";
-    const more = alert.waiting > 1 ? `, and ${alert.waiting - 1} more` : "";
-    setText(this.alert, `${priority}: ${alert.text}${side}, ${clock(alert.raised_time)}${more}`);
-    setAttribute(this.alert, "title", `to the desk of ${this.id}`);
+    setAttribute(this.alert, "data-priority", priorityName(alert.priority));
+    const side = alert.side >= 0 ? `, ${sideWord(alert.side)}` : "";
+    const more = alert.waiting > 1 ? `, ${t("and {count} more", { count: alert.waiting - 1 })}` : "";
+    setText(this.alert, `${priority}: ${translated(alert.text)}${side}, ${clock(alert.raised_time)}${more}`);
+    setAttribute(this.alert, "title", t("to the desk of {id}", { id: this.id }));
   }
 
   show(exercise: ClassroomExercise): void {
@@ -110,8 +111,11 @@ export class Tile {
     setAttribute(this.element, "data-state", RunState[exercise.state]);
     setText(this.time, clock(exercise.time));
     const asked =
-      exercise.time_scale > 0 ? `x${figure(exercise.time_scale, exercise.time_scale % 1 ? 2 : 0)}` : "fastest";
-    setText(this.scale, running ? `x${figure(exercise.time_scale_achieved, 2)} of ${asked}` : asked);
+      exercise.time_scale > 0 ? `x${figure(exercise.time_scale, exercise.time_scale % 1 ? 2 : 0)}` : t("fastest");
+    setText(
+      this.scale,
+      running ? t("{speed} of {asked}", { speed: `x${figure(exercise.time_scale_achieved, 2)}`, asked }) : asked,
+    );
     setText(this.load, figure(100 * exercise.load, 1));
     setVariable(this.bar, "--load", `${Math.min(1, exercise.load)}`);
     setText(this.late, figure(1000 * exercise.lateness, 1));

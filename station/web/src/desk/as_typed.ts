@@ -1,6 +1,7 @@
 // What the server refuses, it refuses in SI; an instructor who typed knots is told in knots.
 
 import { clock, figure } from "../kit/units";
+import { t } from "../kit/language";
 
 /** How a figure was typed. */
 export interface Typed {
@@ -37,8 +38,11 @@ export function asTyped(text: string, fields: TypedFields): string {
   const range = kRange.exec(allowed!);
   const last = typed.unit && ` ${typed.unit}`;
   const may = range
-    ? `${typed.write(Number(range[1]), Math.ceil)} to ${typed.write(Number(range[2]), Math.floor)}${last}`
-    : allowed;
+    ? `${t("{least} to {most}", {
+        least: typed.write(Number(range[1]), Math.ceil),
+        most: typed.write(Number(range[2]), Math.floor),
+      })}${last}`
+    : allowed!;
   const given = `${typed.label} ${typed.write(Number(value), Math.round)}${last}`;
-  return `${topic!.replace("Command", "")}: ${given} refused; allowed: ${may}`;
+  return t("{topic}: {given} refused; allowed: {may}", { topic: topic!.replace("Command", ""), given, may });
 }

@@ -2,10 +2,11 @@
 
 import { h } from "../kit/dom";
 import type { Desk } from "./desk";
+import { t } from "../kit/language";
 
 /** A button that opens the debriefing of the recording that is meant when it is pressed; none: it is disabled. */
 export class DebriefButton {
-  readonly element = h("button", { class: "plain", onclick: () => void this.open() }, "Debrief");
+  readonly element = h("button", { class: "plain", onclick: () => void this.open() }, t("Debrief"));
   private recording_ = "";
 
   constructor(private readonly desk: Desk) {
@@ -16,8 +17,8 @@ export class DebriefButton {
     this.recording_ = name;
     this.element.disabled = name === "";
     this.element.title = name
-      ? `talk over ${name}: marks, plots, track, orders and reports`
-      : "nothing was recorded here yet";
+      ? t("talk over {name}: marks, plots, track, orders and reports", { name })
+      : t("nothing was recorded here yet");
   }
 
   private async open(): Promise<void> {
@@ -32,7 +33,7 @@ export class DebriefButton {
     const made = await this.desk.ask(() => this.desk.link.ask({ op: "debrief", recording }));
     end();
     if (made && view) view.location.replace(address);
-    else if (made) this.desk.say("Debrief: the browser lets no new window open; allow it for this page");
+    else if (made) this.desk.say(t("Debrief: the browser lets no new window open; allow it for this page"));
     else view?.close();
   }
 }

@@ -7,6 +7,7 @@ import { RunState, type TopicName } from "../wire/generated";
 import { type TypedFields, asTyped } from "./as_typed";
 import { EventStore } from "./events";
 import { RecordedPast } from "./recorded_past";
+import { t } from "../kit/language";
 
 const kAnswer = 4000; // ms after an order in which a refusal by the server is taken to be meant for it
 
@@ -31,7 +32,7 @@ export class Desk {
       "div",
       { class: "notice", role: "status", "aria-live": "polite", hidden: true },
       this.words,
-      h("button", { class: "plain", onclick: () => (this.notice.hidden = true) }, "Close"),
+      h("button", { class: "plain", onclick: () => (this.notice.hidden = true) }, t("Close")),
     );
     this.events.onChange((event) => {
       if (event?.code !== "command.refused" || performance.now() - this.ordered > kAnswer) return;

@@ -4,7 +4,7 @@
 import { h } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { type Page, pageAddress } from "../kit/page";
-import { sideName } from "../kit/units";
+import { sideWord } from "../kit/units";
 import { PlotBoard } from "../plots/board";
 import { Desk } from "./desk";
 import { EnvironmentPanel } from "./environment";
@@ -20,18 +20,19 @@ import { TalkPanel } from "./talk";
 import { Timeline } from "./timeline";
 import { TruthPanel } from "./truth";
 import { Views } from "./views";
+import { t } from "../kit/language";
 
 /** Which windlass is plotted and proposed: port or starboard. */
 function sideChoice(desk: Desk): HTMLElement {
   const buttons = [0, 1].map((side) =>
-    h("button", { class: "chip", "data-side": side, onclick: () => (desk.side = side) }, sideName(side)),
+    h("button", { class: "chip", "data-side": side, onclick: () => (desk.side = side) }, sideWord(side)),
   );
   desk.onSide((side) => buttons.forEach((button, i) => button.setAttribute("aria-pressed", `${i === side}`)));
   desk.onSides((sides) => {
     buttons.forEach((button, side) => (button.hidden = !sides.includes(side)));
     if (!sides.includes(desk.side)) desk.side = sides[0] ?? 0;
   });
-  return h("div", { class: "chips", role: "group", "aria-label": "windlass that is plotted" }, ...buttons);
+  return h("div", { class: "chips", role: "group", "aria-label": t("windlass that is plotted") }, ...buttons);
 }
 
 export function makeDesk(page: Page): void {
@@ -55,8 +56,8 @@ export function makeDesk(page: Page): void {
   const panel = (title: string, content: HTMLElement): HTMLElement =>
     h("section", { class: "panel", "aria-label": title }, h("h2", {}, title), content);
   page.topBar.middle.append(
-    h("a", { class: "plain", href: pageAddress("/classroom") }, "Classroom"),
-    h("a", { class: "plain", href: pageAddress("/lessons") }, "Lessons"),
+    h("a", { class: "plain", href: pageAddress("/classroom") }, t("Classroom")),
+    h("a", { class: "plain", href: pageAddress("/lessons") }, t("Lessons")),
   );
   page.root.classList.add("desk");
   page.root.append(
@@ -67,21 +68,21 @@ export function makeDesk(page: Page): void {
     h(
       "div",
       { class: "left panel" },
-      tabs("what breaks, what blows, what it earns", [
-        { id: "faults", title: "Faults", content: new FaultPanel(desk).element },
-        { id: "environment", title: "Environment", content: new EnvironmentPanel(desk).element },
-        { id: "marks", title: "Marks", content: new MarksPanel(desk).element },
+      tabs(t("what breaks, what blows, what it earns"), [
+        { id: "faults", title: t("Faults"), content: new FaultPanel(desk).element },
+        { id: "environment", title: t("Environment"), content: new EnvironmentPanel(desk).element },
+        { id: "marks", title: t("Marks"), content: new MarksPanel(desk).element },
       ]),
     ),
     h("div", { class: "middle" }, views.element, plots.element),
     h(
       "div",
       { class: "right" },
-      tabs("levers, truth, talk, log", [
-        { id: "levers", title: "Levers", content: panel("Levers", new LeverPanel(desk).element) },
-        { id: "truth", title: "Truth", content: panel("Truth beside gauges", new TruthPanel(desk).element) },
-        { id: "talk", title: "Talk", content: panel("Orders and reports", new TalkPanel(desk).element) },
-        { id: "log", title: "Log", content: panel("Log", new LogPanel(desk, pick).element) },
+      tabs(t("levers, truth, talk, log"), [
+        { id: "levers", title: t("Levers"), content: panel(t("Levers"), new LeverPanel(desk).element) },
+        { id: "truth", title: t("Truth"), content: panel(t("Truth beside gauges"), new TruthPanel(desk).element) },
+        { id: "talk", title: t("Talk"), content: panel(t("Orders and reports"), new TalkPanel(desk).element) },
+        { id: "log", title: t("Log"), content: panel(t("Log"), new LogPanel(desk, pick).element) },
       ]),
     ),
     timeline.element,

@@ -7,6 +7,7 @@ import type { Weather } from "../wire/generated";
 import { type Typed, inMinutes, inUnit } from "./as_typed";
 import type { Desk } from "./desk";
 import { seconds } from "./time_field";
+import { language, t, typedFigure } from "../kit/language";
 
 const kDeep = 1000; // m, until the depth is known
 
@@ -27,65 +28,72 @@ const scaled = (unit: string, si: number, decimals: number): Omit<Row, "field" |
   unit,
   si,
   show: (value) => figure(value / si, decimals),
-  read: (text) => (text.trim() ? Number(text.replace("\u2212", "-")) * si : NaN),
+  read: (text) => (text.trim() ? Number(typedFigure(text).replace("\u2212", "-")) * si : NaN),
 });
 const direction: Omit<Row, "field" | "label"> = {
   unit: "\u00b0",
   si: radians(1),
   show: bearing,
-  read: (text) => (text.trim() ? radians(Number(text)) : NaN),
+  read: (text) => (text.trim() ? radians(Number(typedFigure(text))) : NaN),
 };
 
+const kWindSea = t("Wind sea");
 const groups: readonly [string, readonly Row[]][] = [
   [
-    "Wind",
+    t("Wind"),
     [
-      { field: "wind_speed", label: "speed", ...scaled("kn", kKnot, 0) },
-      { field: "wind_from", label: "from", ...direction },
-      { field: "gust_factor", label: "gusts over mean", ...scaled("\u00d7", 1, 2) },
-      { field: "gust_period", label: "gust period", ...scaled("s", 1, 0) },
-      { field: "veering", label: "veers", ...scaled("\u00b0/min", radians(1) / 60, 1) },
+      { field: "wind_speed", label: t("speed|of the wind"), ...scaled("kn", kKnot, 0) },
+      { field: "wind_from", label: t("from|direction"), ...direction },
+      { field: "gust_factor", label: t("gusts over mean"), ...scaled("\u00d7", 1, 2) },
+      { field: "gust_period", label: t("gust period"), ...scaled("s", 1, 0) },
+      { field: "veering", label: t("veers"), ...scaled("\u00b0/min", radians(1) / 60, 1) },
     ],
   ],
   [
-    "Wind sea",
+    kWindSea,
     [
-      { field: "wave_height", label: "height", ...scaled("m", 1, 1) },
-      { field: "wave_period", label: "period", ...scaled("s", 1, 1) },
-      { field: "wave_from", label: "from", ...direction },
+      { field: "wave_height", label: t("height"), ...scaled("m", 1, 1) },
+      { field: "wave_period", label: t("period"), ...scaled("s", 1, 1) },
+      { field: "wave_from", label: t("from|direction"), ...direction },
     ],
   ],
   [
-    "Swell",
+    t("Swell"),
     [
-      { field: "swell_height", label: "height", ...scaled("m", 1, 1) },
-      { field: "swell_period", label: "period", ...scaled("s", 1, 1) },
-      { field: "swell_from", label: "from", ...direction },
+      { field: "swell_height", label: t("height"), ...scaled("m", 1, 1) },
+      { field: "swell_period", label: t("period"), ...scaled("s", 1, 1) },
+      { field: "swell_from", label: t("from|direction"), ...direction },
     ],
   ],
   [
-    "Stream and tide",
+    t("Stream and tide"),
     [
-      { field: "current_speed", label: "rate", ...scaled("kn", kKnot, 1) },
-      { field: "current_towards", label: "sets", ...direction },
-      { field: "tide_height", label: "tide", ...scaled("m", 1, 1) },
+      { field: "current_speed", label: t("rate"), ...scaled("kn", kKnot, 1) },
+      { field: "current_towards", label: t("sets"), ...direction },
+      { field: "tide_height", label: t("tide"), ...scaled("m", 1, 1) },
     ],
   ],
   [
-    "Sight and light",
+    t("Sight and light"),
     [
-      { field: "visibility", label: "visibility", ...scaled("nm", kNauticalMile, 2) },
-      { field: "time_of_day", label: "time of day", unit: "h", show: timeOfDay, read: (text) => seconds(`${text}:0`) },
+      { field: "visibility", label: t("visibility"), ...scaled(t("nm"), kNauticalMile, 2) },
+      {
+        field: "time_of_day",
+        label: t("time of day"),
+        unit: "h",
+        show: timeOfDay,
+        read: (text) => seconds(`${text}:0`),
+      },
     ],
   ],
 ];
 const rows = groups.flatMap(([, of]) => of);
 
 /** How the fields of an EnvironmentCommand are typed here. */
-const typedFields = new Map<string, Typed>([["ramp", inMinutes("within")]]);
+const typedFields = new Map<string, Typed>([["ramp", inMinutes(t("within"))]]);
 for (const [title, of] of groups)
   for (const { field, label, unit, si } of of) {
-    const name = `${title.toLowerCase()}, ${label}`;
+    const name = `${language === "en" ? title.toLowerCase() : title}, ${label}`;
     typedFields.set(field, si === undefined ? inMinutes(name) : inUnit(name, unit, si));
   }
 
@@ -93,11 +101,11 @@ export class EnvironmentPanel {
   readonly element: HTMLElement;
   private readonly inputs = new Map<Figure, HTMLInputElement>();
   private readonly nows = new Map<Figure, HTMLElement>();
-  private readonly ramp = h("input", { value: "0:00", "aria-label": "comes so within, m:ss", class: "time" });
+  private readonly ramp = h("input", { value: "0:00", "aria-label": t("comes so within, m:ss"), class: "time" });
   private readonly fetch = h("input", {
     value: "20",
     inputMode: "decimal",
-    "aria-label": "Wind sea, fetch of the wind, nm",
+    "aria-label": t("Wind sea, fetch of the wind, nm"),
   });
   private readonly state = h("span", { class: "quiet", role: "status" });
   private readonly edited = new Set<Figure>();
@@ -105,14 +113,14 @@ export class EnvironmentPanel {
   constructor(private readonly desk: Desk) {
     this.element = h(
       "form",
-      { class: "environment", "aria-label": "environment", onsubmit: (event: Event) => this.send(event) },
+      { class: "environment", "aria-label": t("environment"), onsubmit: (event: Event) => this.send(event) },
       h("div", { class: "scroll" }, this.table()),
       h(
         "footer",
         {},
-        h("label", {}, "within", this.ramp, h("span", { class: "quiet" }, "m:ss")),
-        h("button", { class: "plain", type: "button", onclick: () => this.drop() }, "Undo"),
-        h("button", { class: "plain primary" }, "Set"),
+        h("label", {}, t("within"), this.ramp, h("span", { class: "quiet" }, t("m:ss"))),
+        h("button", { class: "plain", type: "button", onclick: () => this.drop() }, t("Undo")),
+        h("button", { class: "plain primary" }, t("Set")),
         this.state,
       ),
     );
@@ -148,35 +156,43 @@ export class EnvironmentPanel {
             h("td", { class: "unit" }, row.unit),
           );
         }),
-        title === "Wind sea" && this.byWind(),
+        title === kWindSea && this.byWind(),
       ),
     );
     const head = h(
       "thead",
       {},
-      h("tr", {}, h("th", {}), h("th", { scope: "col" }, "now"), h("th", { scope: "col" }, "shall be"), h("th", {})),
+      h(
+        "tr",
+        {},
+        h("th", {}),
+        h("th", { scope: "col" }, t("now")),
+        h("th", { scope: "col" }, t("shall be")),
+        h("th", {}),
+      ),
     );
     return h("table", {}, head, ...body);
   }
 
   /** Fills in the sea that belongs to the wind and a fetch; it is set with the rest. */
   private byWind(): HTMLElement {
-    const button = h("button", { class: "plain", type: "button", onclick: () => this.askForSea() }, "By wind");
+    const button = h("button", { class: "plain", type: "button", onclick: () => this.askForSea() }, t("By wind"));
     return h(
       "tr",
       {},
-      h("th", { scope: "row" }, "fetch"),
+      h("th", { scope: "row" }, t("fetch")),
       h("td", { class: "now" }, button),
       h("td", {}, this.fetch),
-      h("td", { class: "unit" }, "nm"),
+      h("td", { class: "unit" }, t("nm")),
     );
   }
   private askForSea(): void {
     const of = (field: Figure): Row => rows.find((row) => row.field === field)!;
     const wind = of("wind_speed").read(this.inputs.get("wind_speed")!.value);
-    const fetch = kNauticalMile * Number(this.fetch.value);
+    const fetch = kNauticalMile * Number(typedFigure(this.fetch.value));
     const depth = this.desk.link.latest("ExerciseTruth")?.depth;
-    if (!(wind > 0) || !(fetch > 0)) return this.desk.say("Sea by wind: give the wind's speed and the fetch, above 0");
+    if (!(wind > 0) || !(fetch > 0))
+      return this.desk.say(t("Sea by wind: give the wind's speed and the fetch, above 0"));
     void this.desk.ask(() => this.desk.link.ask({ op: "wind_sea", wind_speed: wind, fetch, depth: depth || kDeep }));
   }
   private fill(field: Figure, text: string): void {
@@ -208,12 +224,20 @@ export class EnvironmentPanel {
       const text = this.inputs.get(row.field)!.value;
       const value = row.read(text);
       if (!Number.isFinite(value))
-        return this.desk.say(`Environment: ${row.label}: ${text || "nothing"} is not allowed: a figure in ${row.unit}`);
+        return this.desk.say(
+          t("Environment: {what}: {typed} is not allowed: a figure in {unit}", {
+            what: row.label,
+            typed: text || t("nothing|typed"),
+            unit: row.unit,
+          }),
+        );
       weather[row.field] = value;
     }
     const ramp = seconds(this.ramp.value);
     if (Number.isNaN(ramp))
-      return this.desk.say(`Environment: within ${this.ramp.value || "nothing"} is no time; m:ss is allowed`);
+      return this.desk.say(
+        t("Environment: within {typed} is no time; m:ss is allowed", { typed: this.ramp.value || t("nothing|typed") }),
+      );
     if (await this.desk.give("EnvironmentCommand", { weather, ramp }, (field) => typedFields.get(field))) this.drop();
   }
 
@@ -226,12 +250,13 @@ export class EnvironmentPanel {
       if (!this.edited.has(row.field) && document.activeElement !== input)
         input.value = row.show(state.after[row.field]);
     }
-    setText(this.state, state.ramp_left > 0 ? `changing, ${figure(state.ramp_left)} s left` : "");
+    setText(this.state, state.ramp_left > 0 ? t("changing, {left} s left", { left: figure(state.ramp_left) }) : "");
   }
 }
 
 /** "16 kn from 010", for a title line. */
 export function windWords(weather: Weather): string {
-  const veers = degrees(weather.veering) !== 0 ? ", veering" : "";
-  return `${figure(knots(weather.wind_speed))} kn from ${bearing(weather.wind_from)}${veers}`;
+  const speed = figure(knots(weather.wind_speed));
+  const wind = t("{speed} kn from {bearing}", { speed, bearing: bearing(weather.wind_from) });
+  return degrees(weather.veering) !== 0 ? t("{wind}, veering", { wind }) : wind;
 }

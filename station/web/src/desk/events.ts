@@ -4,6 +4,8 @@ import { events } from "../../../../words/words.json";
 import { begins, leave } from "../kit/branch";
 import type { Connection } from "../wire/connection";
 import { type Event, EventSeverity } from "../wire/generated";
+import { inChosenUnits } from "../kit/figures_in_text";
+import { eventText } from "../kit/words";
 
 export interface Logged extends Event {
   /** It happened in a branch that a reset or restore has left since: not on the way to what is now. */
@@ -116,4 +118,10 @@ export class EventStore {
   private tell(event: Logged | undefined): void {
     for (const listener of this.listeners) listener(event);
   }
+}
+
+/** An event's sentence as it is read: in the person's language where it can be, else with the units that are chosen. */
+export function eventWords(event: Pick<Event, "code" | "text">): string {
+  const text = eventText(event);
+  return text === event.text ? inChosenUnits(text) : text;
 }

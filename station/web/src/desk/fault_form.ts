@@ -4,13 +4,14 @@ import "./fault_form.css";
 
 import { units } from "../../../../words/words.json";
 import { h } from "../kit/dom";
-import { type Unit, kTonne, loads, scaleEnd } from "../kit/units";
+import { type Unit, kTonne, loads, scaleEnd, sideWord, unitWritten } from "../kit/units";
 import { orderLabel, orderRows, saidOf } from "../kit/words";
 import { BridgeOrderCode, FaultTrigger } from "../wire/generated";
 import type { OrderSample } from "../wire/connection";
 import { type Typed, type TypedFields, inMinutes, inUnit } from "./as_typed";
 import { type FaultWords, eventsWaitedFor } from "./fault_words";
 import { seconds } from "./time_field";
+import { t, translated, typedFigure } from "../kit/language";
 
 /** A trigger, the fields that it asks for, and what they become; throws Error with what is allowed. */
 interface Trigger {
@@ -23,19 +24,27 @@ interface Trigger {
 
 /** A figure that was typed; unit: SI of one. */
 function typed(input: HTMLInputElement, what: string, unit: number): number {
-  const value = input.value.trim() ? Number(input.value) : NaN;
-  if (!(value >= 0)) throw new Error(`${what}: ${input.value || "nothing"} is not allowed: a figure from 0 on`);
+  const value = input.value.trim() ? Number(typedFigure(input.value)) : NaN;
+  if (!(value >= 0))
+    throw new Error(
+      t("{what}: {typed} is not allowed: a figure from 0 on", { what, typed: input.value || t("nothing|typed") }),
+    );
   return value * unit;
 }
 function typedTime(input: HTMLInputElement, what: string): number {
   const value = seconds(input.value);
-  if (Number.isNaN(value)) throw new Error(`${what}: ${input.value || "nothing"} is no time; m:ss is allowed`);
+  if (Number.isNaN(value))
+    throw new Error(
+      t("{what}: {typed} is no time; m:ss is allowed", { what, typed: input.value || t("nothing|typed") }),
+    );
   return value;
 }
 
 const triggerSaid = (code: FaultTrigger): string => saidOf("FaultTrigger", code);
 
-function figureTrigger(code: FaultTrigger, { written, si }: Unit, value: string): Trigger {
+function figureTrigger(code: FaultTrigger, unit: Unit, value: string): Trigger {
+  const { si } = unit;
+  const written = unitWritten(unit);
   const label = triggerSaid(code);
   const input = h("input", { "aria-label": `${label}, ${written}`, inputMode: "decimal", value });
   return {
@@ -47,16 +56,16 @@ function figureTrigger(code: FaultTrigger, { written, si }: Unit, value: string)
 }
 
 function triggers(): Trigger[] {
-  const time = h("input", { class: "time", "aria-label": "at exercise time, m:ss", placeholder: "m:ss" });
-  const from = h("input", { class: "time", "aria-label": "from, m:ss", placeholder: "m:ss" });
-  const until = h("input", { class: "time", "aria-label": "until, m:ss", placeholder: "m:ss" });
+  const time = h("input", { class: "time", "aria-label": t("at exercise time, m:ss"), placeholder: t("m:ss") });
+  const from = h("input", { class: "time", "aria-label": t("from, m:ss"), placeholder: t("m:ss") });
+  const until = h("input", { class: "time", "aria-label": t("until, m:ss"), placeholder: t("m:ss") });
   const event = h(
     "select",
-    { "aria-label": "code of the event" },
+    { "aria-label": t("code of the event") },
     ...eventsWaitedFor.map((code) => h("option", { value: code }, code)),
   );
   event.value = "anchor.on_bottom";
-  const order = h("select", { "aria-label": "order of the bridge" });
+  const order = h("select", { "aria-label": t("order of the bridge") });
   for (const [code, { enumerator }] of orderRows.entries())
     if (orderLabel(code)) order.append(h("option", { value: enumerator }, orderLabel(code)));
   order.value = "BRIDGE_ORDER_LET_GO";
@@ -85,8 +94,8 @@ function triggers(): Trigger[] {
     {
       code: FaultTrigger.TRIGGER_AT_CHANCE,
       fields: [from, until],
-      sample: () => ({ trigger_value: typedTime(from, "from"), trigger_until: typedTime(until, "until") }),
-      typed: inMinutes("chance between"),
+      sample: () => ({ trigger_value: typedTime(from, t("from|time")), trigger_until: typedTime(until, t("until")) }),
+      typed: inMinutes(t("chance between")),
     },
   ];
 }
@@ -104,9 +113,9 @@ export function faultForm(
   const choices = triggers();
   const sides = h(
     "select",
-    { "aria-label": "side" },
-    h("option", { value: "0" }, "port"),
-    h("option", { value: "1" }, "starboard"),
+    { "aria-label": t("side") },
+    h("option", { value: "0" }, sideWord(0)),
+    h("option", { value: "1" }, sideWord(1)),
   );
   sides.value = `${side}`;
   const shown = h("output", {}, "100 %");
@@ -115,20 +124,24 @@ export function faultForm(
     min: "0",
     max: "100",
     value: "100",
-    "aria-label": "severity, percent",
+    "aria-label": t("severity, percent"),
     oninput: () => (shown.value = `${severity.value} %`),
   });
-  const when = h("select", { "aria-label": "trigger", onchange: () => ask() });
+  const when = h("select", { "aria-label": t("trigger"), onchange: () => ask() });
   for (const choice of choices)
     when.append(h("option", { value: FaultTrigger[choice.code] }, triggerSaid(choice.code)));
   const details = h("span", { class: "details" });
-  const ramp = h("input", { value: "0", inputMode: "decimal", "aria-label": "ramp, s" });
-  const target = h("input", { value: "0", inputMode: "numeric", "aria-label": fault.targets || "which of several" });
+  const ramp = h("input", { value: "0", inputMode: "decimal", "aria-label": t("ramp, s") });
+  const target = h("input", {
+    value: "0",
+    inputMode: "numeric",
+    "aria-label": translated(fault.targets ?? "") || t("which of several"),
+  });
   const chosen = (): Trigger => choices.find((c) => FaultTrigger[c.code] === when.value)!;
-  const submit = h("button", { class: "plain primary" }, "Break it");
+  const submit = h("button", { class: "plain primary" }, t("Break it"));
   const ask = (): void => {
     details.replaceChildren(...chosen().fields);
-    submit.textContent = when.value === "TRIGGER_NOW" ? "Break it" : "Arm";
+    submit.textContent = when.value === "TRIGGER_NOW" ? t("Break it") : t("Arm");
   };
   ask();
   const line = (label: string, ...fields: HTMLElement[]): HTMLElement =>
@@ -140,10 +153,10 @@ export function faultForm(
         code: fault.enumerator,
         side: Number(sides.value),
         severity: Number(severity.value) / 100,
-        ramp: typed(ramp, "ramp", 1),
+        ramp: typed(ramp, t("ramp"), 1),
         trigger: when.value,
         ...chosen().sample(),
-        ...(fault.targets ? { target: Math.round(typed(target, fault.targets, 1)) } : {}),
+        ...(fault.targets ? { target: Math.round(typed(target, translated(fault.targets), 1)) } : {}),
       };
       give(sample, (field) => (field.startsWith("trigger_") ? chosen().typed : undefined));
     } catch (why) {
@@ -156,19 +169,24 @@ export function faultForm(
     h(
       "dl",
       {},
-      h("dt", {}, "seen"),
-      h("dd", {}, fault.symptom),
-      h("dt", {}, "cause"),
-      h("dd", {}, fault.reason),
-      h("dt", {}, "way out"),
-      h("dd", {}, fault.way_out),
+      h("dt", {}, t("seen")),
+      h("dd", {}, translated(fault.symptom)),
+      h("dt", {}, t("cause")),
+      h("dd", {}, translated(fault.reason)),
+      h("dt", {}, t("way out")),
+      h("dd", {}, translated(fault.way_out)),
     ),
-    line("side", fault.both_sides ? h("span", { class: "quiet" }, "both") : sides),
-    line("severity", severity, shown),
-    h("p", { class: "quiet" }, `100 %: ${fault.severity}`),
-    line("when", when, details),
-    line("within", h("span", { class: "with-unit" }, ramp, "s")),
-    fault.targets && line("number", target, h("span", { class: "quiet" }, `0: any; ${fault.targets}`)),
+    line(t("side"), fault.both_sides ? h("span", { class: "quiet" }, sideWord(-1)) : sides),
+    line(t("severity"), severity, shown),
+    h("p", { class: "quiet" }, `100 %: ${translated(fault.severity)}`),
+    line(t("when"), when, details),
+    line(t("within"), h("span", { class: "with-unit" }, ramp, "s")),
+    fault.targets &&
+      line(
+        t("number"),
+        target,
+        h("span", { class: "quiet" }, t("0: any; {what}", { what: translated(fault.targets) })),
+      ),
     h("div", { class: "line end" }, submit),
   );
 }

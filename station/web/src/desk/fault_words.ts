@@ -6,6 +6,7 @@ import { clock, figure, loads, shackles } from "../kit/units";
 import { capital, orderLabel, saidOf } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { type FaultCode, type FaultPhase, type FaultStatus, FaultTrigger } from "../wire/generated";
+import { t } from "../kit/language";
 
 /** One row of the table of faults. */
 export interface FaultWords {
@@ -47,7 +48,7 @@ export const machines: readonly string[] = [
 /** "Brake lining faded", "CCTV lost". */
 export const faultName = (code: FaultCode): string => capital(saidOf("FaultCode", code)) || "?";
 
-const length = (metres: number): string => `${figure(shackles(metres), 1)} sh`;
+const length = (metres: number): string => t("{shackles} sh", { shackles: figure(shackles(metres), 1) });
 
 /** What an armed fault waits for, and how far off that is. */
 export function waitsFor(fault: FaultStatus, link: Connection): string {
@@ -57,23 +58,26 @@ export function waitsFor(fault: FaultStatus, link: Connection): string {
   const pull = loads.text(windlass && loadsMeasured(windlass) ? windlass.gypsy_load : NaN);
   switch (fault.trigger) {
     case FaultTrigger.TRIGGER_NOW:
-      return "now";
+      return t("now");
     case FaultTrigger.TRIGGER_AT_TIME:
-      return `at ${clock(fault.trigger_value)}, in ${clock(fault.trigger_value - time)}`;
+      return t("at {time}, in {wait}", { time: clock(fault.trigger_value), wait: clock(fault.trigger_value - time) });
     case FaultTrigger.TRIGGER_AT_CABLE_OUT:
-      return `from ${length(fault.trigger_value)} out on, now ${out}`;
+      return t("from {length} out on, now {out}", { length: length(fault.trigger_value), out });
     case FaultTrigger.TRIGGER_AT_CABLE_OUT_AT_MOST:
-      return `at ${length(fault.trigger_value)} out or less, now ${out}`;
+      return t("at {length} out or less, now {out}", { length: length(fault.trigger_value), out });
     case FaultTrigger.TRIGGER_AT_LOAD:
-      return `from ${loads.text(fault.trigger_value)} on, now ${pull}`;
+      return t("from {load} on, now {pull}", { load: loads.text(fault.trigger_value), pull });
     case FaultTrigger.TRIGGER_AT_LOAD_AT_MOST:
-      return `at ${loads.text(fault.trigger_value)} or less, now ${pull}`;
+      return t("at {load} or less, now {pull}", { load: loads.text(fault.trigger_value), pull });
     case FaultTrigger.TRIGGER_AT_EVENT:
-      return `at event ${fault.trigger_event}`;
+      return t("at event {event}", { event: fault.trigger_event });
     case FaultTrigger.TRIGGER_AT_ORDER:
-      return `at order ${orderLabel(fault.trigger_order)}`;
+      return t("at order {order}", { order: orderLabel(fault.trigger_order) });
     case FaultTrigger.TRIGGER_AT_CHANCE:
-      return `by chance, ${clock(fault.trigger_value)} to ${clock(fault.trigger_until)}`;
+      return t("by chance, {from} to {until}", {
+        from: clock(fault.trigger_value),
+        until: clock(fault.trigger_until),
+      });
   }
 }
 

@@ -3,12 +3,13 @@
 import { h, setText, setVariable } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { everySecond } from "../kit/page";
-import { figure, sideName } from "../kit/units";
-import { capital } from "../kit/words";
+import { figure, sideWord } from "../kit/units";
+import { capital, nameOf } from "../kit/words";
 import { FaultCode, FaultPhase, type FaultStatus } from "../wire/generated";
 import type { Desk } from "./desk";
 import { faultForm } from "./fault_form";
 import { type FaultWords, faultName, faults, machines, phaseWords, waitsFor } from "./fault_words";
+import { t, translated } from "../kit/language";
 
 const key = (fault: FaultStatus): string => `${fault.code}/${fault.side}`;
 
@@ -22,7 +23,7 @@ interface Row {
 
 export class FaultPanel {
   readonly element: HTMLElement;
-  private readonly given = h("ul", { class: "faults-given", "aria-label": "faults given", "aria-live": "polite" });
+  private readonly given = h("ul", { class: "faults-given", "aria-label": t("faults given"), "aria-live": "polite" });
   private readonly catalogue = h("div", { class: "catalogue" });
   private readonly rows = new Map<string, Row>();
   private open: HTMLElement | undefined;
@@ -42,8 +43,8 @@ export class FaultPanel {
       this.catalogue.append(
         h(
           "section",
-          { "aria-label": name },
-          h("h3", {}, name),
+          { "aria-label": translated(name) },
+          h("h3", {}, translated(name)),
           h("div", { class: "tiles" }, ...of.map((fault) => this.tile(fault))),
         ),
       );
@@ -57,10 +58,10 @@ export class FaultPanel {
         class: "tile",
         "data-code": fault.enumerator,
         "aria-expanded": "false",
-        title: fault.symptom,
+        title: translated(fault.symptom),
         onclick: (event: Event) => this.show(fault, event.currentTarget as HTMLElement),
       },
-      capital(fault.said),
+      capital(translated(fault.said)),
     );
   }
 
@@ -112,11 +113,15 @@ export class FaultPanel {
       phase: h("strong", {}),
       text: h("span", { class: "quiet" }),
       bar: h("i", { class: "severity", "aria-hidden": "true" }),
-      clear: h("button", { class: "plain", "aria-label": `clear ${name}`, onclick: () => this.clear(fault) }, "Clear"),
+      clear: h(
+        "button",
+        { class: "plain", "aria-label": t("clear {name}", { name }), onclick: () => this.clear(fault) },
+        t("Clear|a fault"),
+      ),
     };
     row.element.append(
       row.phase,
-      h("span", { class: "name" }, `${name}, ${sideName(fault.side)}`),
+      h("span", { class: "name" }, `${name}, ${sideWord(fault.side)}`),
       row.clear,
       row.bar,
       row.text,
@@ -128,10 +133,10 @@ export class FaultPanel {
   private fillRow(row: Row, fault: FaultStatus): void {
     const armed = fault.phase === FaultPhase.FAULT_PHASE_ARMED;
     const active = fault.phase === FaultPhase.FAULT_PHASE_ACTIVE;
-    row.element.dataset.phase = phaseWords(fault.phase);
+    row.element.dataset.phase = nameOf("FaultPhase", fault.phase);
     setText(row.phase, phaseWords(fault.phase));
-    const there = `${figure(100 * fault.severity_now)} of ${figure(100 * fault.severity)} %`;
-    const number = fault.target > 0 ? `, number ${fault.target}` : "";
+    const there = t("{now} of {full} %", { now: figure(100 * fault.severity_now), full: figure(100 * fault.severity) });
+    const number = fault.target > 0 ? `, ${t("number {number}", { number: fault.target })}` : "";
     setText(
       row.text,
       armed

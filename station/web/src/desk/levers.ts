@@ -5,10 +5,11 @@ import { type Authority, helmAuthority, ownerWords, takenWords, windlassAuthorit
 import { holdButton } from "../kit/hold_button";
 import { showsTopic } from "../kit/live";
 import { everySecond } from "../kit/page";
-import { degrees, figure, radians, sideName } from "../kit/units";
+import { degrees, figure, radians, sideWord } from "../kit/units";
 import type { HelmLevers, WindlassLevers } from "../wire/connection";
 import { ClutchState, type HelmCommand, type WindlassCommand } from "../wire/generated";
 import type { Desk } from "./desk";
+import { t } from "../kit/language";
 
 /** One lever: what is set, what is. In hand it is a slider or a switch. */
 interface Lever {
@@ -40,7 +41,7 @@ function slider(
     {
       class: "plain zero",
       disabled: true,
-      "aria-label": `0: ${label} to zero`,
+      "aria-label": t("0: {label} to zero", { label }),
       onclick: () => ((input.value = "0"), moved(0)),
     },
     "0",
@@ -92,11 +93,11 @@ function toggle(label: string, on: string, off: string, moved: (value: number) =
       { class: "lever two" },
       h("span", { class: "label" }, label),
       button,
-      h("span", { class: "now" }, "is ", now),
+      h("span", { class: "now" }, `${t("is|set and is")} `, now),
     ),
     show: (s, n) => {
       if (button.disabled) put(Number.isFinite(s) ? s : n); // as it is, where nobody has set it
-      setText(now, Number.isNaN(n) ? "-" : n === 0.5 ? "moving" : n > 0 ? on : off);
+      setText(now, Number.isNaN(n) ? "-" : n === 0.5 ? t("moving") : n > 0 ? on : off);
     },
     put,
     inHand: (held) => (button.disabled = !held),
@@ -108,7 +109,7 @@ abstract class Card {
   readonly element: HTMLElement;
   private readonly who = h("span", { class: "who" });
   private readonly take: HTMLButtonElement;
-  private readonly back = h("button", { class: "plain", hidden: true, onclick: () => this.letGo() }, "Hand back");
+  private readonly back = h("button", { class: "plain", hidden: true, onclick: () => this.letGo() }, t("Hand back"));
   protected held = false;
 
   constructor(
@@ -117,21 +118,21 @@ abstract class Card {
     title: string,
     protected readonly levers: Lever[],
   ) {
-    this.take = holdButton("Take over", 0.6, () => this.takeOver(), {
+    this.take = holdButton(t("Take over"), 0.6, () => this.takeOver(), {
       class: "plain",
-      "aria-label": `take over ${title}`,
+      "aria-label": t("take over {title}", { title }),
     });
-    this.back.setAttribute("aria-label", `hand back ${title}`);
+    this.back.setAttribute("aria-label", t("hand back {title}", { title }));
     const isSwitch = (lever: Lever): boolean => lever.element.classList.contains("two");
     this.element = h(
       "section",
-      { class: "lever-card", "data-what": `${what}`, "aria-label": `levers, ${title}` },
+      { class: "lever-card", "data-what": `${what}`, "aria-label": t("levers, {title}", { title }) },
       h("header", {}, h("h3", {}, title), this.who, this.take, this.back),
       h(
         "div",
         { class: "lever-head", "aria-hidden": "true" },
-        h("span", {}, "set"),
-        h("span", {}, "now"),
+        h("span", {}, t("set")),
+        h("span", {}, t("now")),
         h("span", {}),
       ),
       ...levers.filter((lever) => !isSwitch(lever)).map((lever) => lever.element),
@@ -154,8 +155,8 @@ abstract class Card {
   protected abstract authority(): Authority<WindlassCommand | HelmCommand>;
 
   private takeOver(): void {
-    if (this.desk.replay) return this.desk.say("This is a replay: levers move nothing");
-    if (!this.begin()) return this.desk.say("Nothing is known of these levers yet");
+    if (this.desk.replay) return this.desk.say(t("This is a replay: levers move nothing"));
+    if (!this.begin()) return this.desk.say(t("Nothing is known of these levers yet"));
     this.held = true;
     this.showHeld();
   }
@@ -177,8 +178,12 @@ abstract class Card {
   protected showHand(): void {
     const { owner, name } = this.authority();
     const words =
-      owner === "mine" ? "in your hand" : owner === "instructor" ? `${name}, instructor` : ownerWords({ owner, name });
-    setText(this.who, this.desk.replay ? "as recorded" : words);
+      owner === "mine"
+        ? t("in your hand")
+        : owner === "instructor"
+          ? t("{name}, instructor", { name })
+          : ownerWords({ owner, name });
+    setText(this.who, this.desk.replay ? t("as recorded") : words);
     this.who.dataset.hand = owner === "other" ? "trainee" : owner;
   }
 }
@@ -196,12 +201,12 @@ class WindlassCard extends Card {
     desk: Desk,
     private readonly side: number,
   ) {
-    super(desk, side, `${sideName(side)} windlass`, [
-      slider("brake on", "%", 0, 100, 1, (v) => this.move({ brake: v / 100 })),
-      slider("speed, heave +", "%", -100, 100, 5, (v) => this.move({ speed_lever: v / 100 })),
-      toggle("clutch", "in", "out", (v) => this.move({ clutch_in: v > 0 })),
-      toggle("stopper", "closed", "open", (v) => this.move({ stopper_closed: v > 0 })),
-      toggle("emergency stop", "pressed", "free", (v) => this.move({ emergency_stop: v > 0 })),
+    super(desk, side, t("{side} windlass", { side: sideWord(side) }), [
+      slider(t("brake on"), "%", 0, 100, 1, (v) => this.move({ brake: v / 100 })),
+      slider(t("speed, heave +"), "%", -100, 100, 5, (v) => this.move({ speed_lever: v / 100 })),
+      toggle(t("clutch"), t("in"), t("out"), (v) => this.move({ clutch_in: v > 0 })),
+      toggle(t("stopper"), t("closed"), t("open"), (v) => this.move({ stopper_closed: v > 0 })),
+      toggle(t("emergency stop"), t("pressed"), t("free"), (v) => this.move({ emergency_stop: v > 0 })),
     ]);
   }
 
@@ -260,11 +265,11 @@ class HelmCard extends Card {
   private hand: HelmLevers = { engine: 0, rudder: 0, bow_thruster: 0, stern_thruster: 0 };
 
   constructor(desk: Desk) {
-    super(desk, "helm", "helm", [
-      slider("engine", "%", -100, 100, 5, (v) => this.move({ engine: v / 100 })),
-      slider("rudder", "\u00b0", -35, 35, 1, (v) => this.move({ rudder: radians(v) })),
-      slider("bow thruster", "%", -100, 100, 5, (v) => this.move({ bow_thruster: v / 100 })),
-      slider("stern thruster", "%", -100, 100, 5, (v) => this.move({ stern_thruster: v / 100 })),
+    super(desk, "helm", t("helm|levers"), [
+      slider(t("engine"), "%", -100, 100, 5, (v) => this.move({ engine: v / 100 })),
+      slider(t("rudder"), "\u00b0", -35, 35, 1, (v) => this.move({ rudder: radians(v) })),
+      slider(t("bow thruster"), "%", -100, 100, 5, (v) => this.move({ bow_thruster: v / 100 })),
+      slider(t("stern thruster"), "%", -100, 100, 5, (v) => this.move({ stern_thruster: v / 100 })),
     ]);
     desk.link.on("SceneDescription", (scene) => {
       const input = this.levers[1]!.element.querySelector("input")!;

@@ -2,25 +2,25 @@
 
 import { begins, kLeft } from "../kit/branch";
 import { h, setText } from "../kit/dom";
-import { inChosenUnits } from "../kit/figures_in_text";
 import { clock, measures, sideName } from "../kit/units";
-import { allSaid, saidOf } from "../kit/words";
+import { allSaid, saidOf, nameOf } from "../kit/words";
 import { EventSeverity } from "../wire/generated";
 import type { Desk } from "./desk";
-import type { Logged } from "./events";
+import { type Logged, eventWords } from "./events";
+import { t } from "../kit/language";
 
 const kShown = 400;
 
 export class LogPanel {
   readonly element: HTMLElement;
-  private readonly list = h("ol", { class: "log scroll", "aria-label": "events" });
+  private readonly list = h("ol", { class: "log scroll", "aria-label": t("events") });
   private readonly filter = h("input", {
     type: "search",
-    "aria-label": "filter",
-    placeholder: "Filter: code or word",
+    "aria-label": t("filter"),
+    placeholder: t("Filter: code or word"),
     oninput: () => this.fill(),
   });
-  private readonly least = h("select", { "aria-label": "least severity", onchange: () => this.fill() });
+  private readonly least = h("select", { "aria-label": t("least severity"), onchange: () => this.fill() });
   private readonly state = h("span", { class: "quiet", role: "status" });
 
   constructor(
@@ -28,7 +28,9 @@ export class LogPanel {
     private readonly pick: (time: number) => void,
   ) {
     for (const [value, name] of allSaid("EventSeverity").entries())
-      this.least.append(h("option", { value }, value === EventSeverity.EVENT_INFO ? "all" : `${name} and up`));
+      this.least.append(
+        h("option", { value }, value === EventSeverity.EVENT_INFO ? t("all") : t("{name} and up", { name })),
+      );
     this.element = h(
       "div",
       { class: "log-panel" },
@@ -37,7 +39,7 @@ export class LogPanel {
         { class: "row" },
         this.filter,
         this.least,
-        h("button", { class: "plain", onclick: () => this.copy() }, "Copy"),
+        h("button", { class: "plain", onclick: () => this.copy() }, t("Copy")),
         this.state,
       ),
       this.list,
@@ -75,14 +77,18 @@ export class LogPanel {
     return h(
       "li",
       {
-        "data-severity": severity,
+        "data-severity": nameOf("EventSeverity", event.severity),
         "data-code": event.code,
         class: event.left ? "left" : "",
         title: event.left ? `${event.code}; ${kLeft}` : event.code,
       },
-      h("button", { class: "time", title: "to this moment", onclick: () => this.pick(event.time) }, clock(event.time)),
-      h("span", { class: "severity" }, severity === "info" ? "" : severity),
-      h("span", { class: "text" }, inChosenUnits(event.text)),
+      h(
+        "button",
+        { class: "time", title: t("to this moment"), onclick: () => this.pick(event.time) },
+        clock(event.time),
+      ),
+      h("span", { class: "severity" }, event.severity === EventSeverity.EVENT_INFO ? "" : severity),
+      h("span", { class: "text" }, eventWords(event)),
     );
   }
 
@@ -93,7 +99,7 @@ export class LogPanel {
       .map((e) =>
         [
           e.time.toFixed(2),
-          saidOf("EventSeverity", e.severity),
+          nameOf("EventSeverity", e.severity),
           e.code,
           e.side < 0 ? "" : sideName(e.side),
           e.text,
@@ -101,9 +107,9 @@ export class LogPanel {
       );
     try {
       await navigator.clipboard.writeText(["time (s)\tseverity\tcode\tside\ttext", ...lines].join("\n"));
-      setText(this.state, `${lines.length} lines copied`);
+      setText(this.state, t("{count} lines copied", { count: lines.length }));
     } catch {
-      setText(this.state, "the browser does not let this page copy");
+      setText(this.state, t("the browser does not let this page copy"));
     }
   }
 }

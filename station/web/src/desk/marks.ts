@@ -3,7 +3,7 @@
 import { h, setText } from "../kit/dom";
 import { inChosenUnits } from "../kit/figures_in_text";
 import { showsTopic } from "../kit/live";
-import { clock, measures } from "../kit/units";
+import { clock, measures, figure } from "../kit/units";
 import { outcomeSaid, saidOf, stateSaid } from "../kit/words";
 import {
   type Assessment,
@@ -14,13 +14,14 @@ import {
   LessonEnding,
 } from "../wire/generated";
 import type { Desk } from "./desk";
+import { t, translated } from "../kit/language";
 
 const verdicts = [AssessorVerdict.VERDICT_MET, AssessorVerdict.VERDICT_NOT_MET, AssessorVerdict.VERDICT_NOT_APPLICABLE];
 const verdictSaid = (verdict: AssessorVerdict): string => saidOf("AssessorVerdict", verdict);
 /** What the assessor has said of a criterion. */
 function verdictWords({ counts, counted, met }: Criterion): string {
   if (!counts) return verdictSaid(AssessorVerdict.VERDICT_NOT_APPLICABLE);
-  if (!met && counted > 0) return "in part";
+  if (!met && counted > 0) return t("in part");
   return verdictSaid(met ? AssessorVerdict.VERDICT_MET : AssessorVerdict.VERDICT_NOT_MET);
 }
 
@@ -28,17 +29,17 @@ const kNoteMin = 10; // characters, as the server asks for
 
 export class MarksPanel {
   readonly element: HTMLElement;
-  private readonly head = h("p", { class: "marks-head" }, "This exercise has no lesson.");
-  private readonly list = h("ul", { class: "marks scroll", tabIndex: 0, "aria-label": "criteria" });
-  private readonly criterion = h("select", { "aria-label": "criterion" });
+  private readonly head = h("p", { class: "marks-head" }, t("This exercise has no lesson."));
+  private readonly list = h("ul", { class: "marks scroll", tabIndex: 0, "aria-label": t("criteria") });
+  private readonly criterion = h("select", { "aria-label": t("criterion") });
   private readonly verdict = h(
     "select",
-    { "aria-label": "verdict" },
+    { "aria-label": t("verdict") },
     ...verdicts.map((verdict) => h("option", { value: AssessorVerdict[verdict] }, verdictSaid(verdict))),
   );
   private readonly note = h("input", {
-    "aria-label": "note",
-    placeholder: "why, ten characters at least",
+    "aria-label": t("note"),
+    placeholder: t("why, ten characters at least"),
     minLength: kNoteMin,
     maxLength: 255,
     required: true,
@@ -46,11 +47,16 @@ export class MarksPanel {
   });
   private readonly form = h(
     "form",
-    { class: "order-form", "aria-label": "assessor's word", hidden: true, onsubmit: (event: Event) => this.say(event) },
+    {
+      class: "order-form",
+      "aria-label": t("assessor's word"),
+      hidden: true,
+      onsubmit: (event: Event) => this.say(event),
+    },
     this.criterion,
     this.verdict,
     this.note,
-    h("button", { class: "plain primary" }, "Set"),
+    h("button", { class: "plain primary" }, t("Set")),
   );
   private run = -1;
 
@@ -72,7 +78,7 @@ export class MarksPanel {
   }
 
   private clear(): void {
-    setText(this.head, "This exercise has no lesson.");
+    setText(this.head, t("This exercise has no lesson."));
     this.list.replaceChildren();
     this.form.hidden = true;
   }
@@ -80,13 +86,15 @@ export class MarksPanel {
   private show(assessment: Assessment): void {
     const end = assessment.finished ? ` \u2013 ${outcomeSaid(assessment.outcome)}` : "";
     const computed =
-      assessment.score === assessment.score_computed ? "" : ` (computed ${assessment.score_computed.toFixed(1)})`;
+      assessment.score === assessment.score_computed
+        ? ""
+        : ` (${t("computed {score}", { score: figure(assessment.score_computed, 1) })})`;
+    const points = t("{score} of 100 points", { score: figure(assessment.score, 1) });
     const early = assessment.ending === LessonEnding.LESSON_ENDED_EARLY; // and then it is said in words
-    const abort = assessment.abort ? `, ${early ? "" : "ended by "}${assessment.abort}` : "";
-    setText(
-      this.head,
-      `${clock(assessment.time)}  ${assessment.score.toFixed(1)} of 100 points${computed}${end}${abort}`,
-    );
+    const abort = assessment.abort
+      ? `, ${early ? translated(assessment.abort) : t("ended by {what}", { what: assessment.abort })}`
+      : "";
+    setText(this.head, `${clock(assessment.time)}  ${points}${computed}${end}${abort}`);
     this.list.replaceChildren(...assessment.criteria.map((criterion) => this.row(criterion)));
     this.form.hidden = this.desk.replay;
     const names = assessment.criteria.map((criterion) => criterion.code);
@@ -95,17 +103,30 @@ export class MarksPanel {
   }
 
   private row(criterion: Criterion): HTMLElement {
-    const of = (milli: number): string => `${((criterion.weight * milli) / 1000).toFixed(1)} of ${criterion.weight}`;
+    const of = (milli: number): string =>
+      t("{points} of {most}", { points: figure((criterion.weight * milli) / 1000, 1), most: criterion.weight });
     const state = stateSaid(criterion);
     const word = criterion.state === CriterionState.CRITERION_OVERRIDDEN;
-    const told = word ? `${state}: ${verdictWords(criterion)}; computed ${of(criterion.milli)}` : state;
+    const told = word
+      ? t("{state}: {verdict}; computed {points}", {
+          state,
+          verdict: verdictWords(criterion),
+          points: of(criterion.milli),
+        })
+      : state;
     // What an assessor judges stands there to be read while he looks.
     const about = criterion.kind === CriterionKind.CRITERION_RUBRIC ? criterion.text : criterion.reason;
     return h(
       "li",
       { "data-state": CriterionState[criterion.state] },
-      h("span", { class: "code" }, `${criterion.code}${criterion.must ? " (must)" : ""}`),
-      h("span", { class: "figure" }, criterion.counts ? of(criterion.counted) : `\u2013 of ${criterion.weight}`),
+      h("span", { class: "code" }, `${criterion.code}${criterion.must ? ` ${t("(must)")}` : ""}`),
+      h(
+        "span",
+        { class: "figure" },
+        criterion.counts
+          ? of(criterion.counted)
+          : t("{points} of {most}", { points: "\u2013", most: criterion.weight }),
+      ),
       h("span", { class: "quiet" }, `${told}${about ? `: ${inChosenUnits(about)}` : ""}`),
     );
   }

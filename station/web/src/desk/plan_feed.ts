@@ -15,6 +15,7 @@ import {
 } from "../wire/generated";
 import type { EventStore } from "./events";
 import { LetGoPlace, type Passed } from "./let_go_place";
+import { t } from "../kit/language";
 
 const kTrack = 1800; // s that are kept
 const kStep = 2; // s between two points of the track
@@ -119,7 +120,7 @@ export class PlanFeed {
   }
 
   private addSide(side: number, time: number, lines: PlanLine[], marks: PlanMark[], circles: PlanCircle[]): void {
-    const name = side === 0 ? "P" : "S";
+    const name = side === 0 ? t("P|port") : t("S|starboard");
     const chain = this.link.latest("ChainState", side);
     const anchor = this.link.latest("AnchorState", side);
     if (!chain || !anchor || anchor.phase <= AnchorPhase.ANCHOR_ACOCKBILL) return;
@@ -127,7 +128,7 @@ export class PlanFeed {
     lines.push({ kind: "trail", points: this.trails[side]!.line() });
     marks.push({ kind: "anchor", x: anchor.position.x, y: anchor.position.y, label: name });
     const mark = this.letGo[side]!.asOf(time);
-    if (mark) marks.push({ kind: "landmark", x: mark.x, y: mark.y, label: `${name} let go` });
+    if (mark) marks.push({ kind: "landmark", x: mark.x, y: mark.y, label: t("{side} let go", { side: name }) });
     // Where she may swing: all cable that is out, straight, and her length.
     if (isDown(anchor.phase))
       circles.push({
@@ -136,7 +137,7 @@ export class PlanFeed {
         x: anchor.position.x,
         y: anchor.position.y,
         radius: chain.cable_out + this.length,
-        label: `${name} swing`,
+        label: t("{side} swing", { side: name }),
       });
   }
 }

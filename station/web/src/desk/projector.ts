@@ -4,11 +4,12 @@
 import { h, setAttribute, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { everySecond } from "../kit/page";
-import { Measure, clock, sideName } from "../kit/units";
+import { Measure, clock, sideWord, unitWritten } from "../kit/units";
 import type { PlotBoard } from "../plots/board";
 import type { Desk } from "./desk";
 import type { Timeline } from "./timeline";
 import { truthRows } from "./truth";
+import { t } from "../kit/language";
 
 const kLarge = 1.4; // times the usual size of what plots and timeline write
 
@@ -17,15 +18,15 @@ export class Projector {
   readonly button = h(
     "button",
     { class: "chip", "aria-pressed": "false", onclick: () => this.toggle() },
-    "Full screen",
+    t("Full screen"),
   );
   /** What is in the picture beside the views; shown while it is on. */
   readonly choice: HTMLElement;
   /** The large figures; shown while it is on. */
   readonly figures: HTMLElement;
   private readonly what = h("strong", {});
-  private readonly plotsShown = this.part("Plots", "without-plots");
-  private readonly figuresShown = this.part("Figures", "without-figures");
+  private readonly plotsShown = this.part(t("Plots"), "without-plots");
+  private readonly figuresShown = this.part(t("Figures"), "without-figures");
   private on = false;
 
   /** root: the page's main element; plots and timeline write larger while it is on. */
@@ -37,7 +38,7 @@ export class Projector {
   ) {
     this.choice = h(
       "div",
-      { class: "chips projected", role: "group", "aria-label": "beside the picture" },
+      { class: "chips projected", role: "group", "aria-label": t("beside the picture") },
       this.plotsShown,
       this.figuresShown,
     );
@@ -46,7 +47,7 @@ export class Projector {
       .map((row) => ({ row, value: h("b", {}), unit: h("small", {}) }));
     this.figures = h(
       "section",
-      { class: "projected figures-large", "aria-label": "loads and forces" },
+      { class: "projected figures-large", "aria-label": t("loads and forces") },
       h("p", {}, this.what),
       h(
         "dl",
@@ -61,10 +62,10 @@ export class Projector {
     everySecond(4, () => {
       if (!this.on) return;
       const status = desk.link.latest("ExerciseStatus");
-      if (status) setText(this.what, `${clock(status.time)}  ${sideName(desk.side)}`);
+      if (status) setText(this.what, `${clock(status.time)}  ${sideWord(desk.side)}`);
       for (const { row, value, unit } of cells) {
         setText(value, row.is(desk.link, desk.side));
-        setText(unit, row.unit instanceof Measure ? row.unit.unit.written : row.unit);
+        setText(unit, row.unit instanceof Measure ? unitWritten(row.unit.unit) : row.unit);
         setAttribute(value, "data-warns", row.warns?.(desk.link, desk.side) ? "" : undefined);
       }
     });
@@ -97,7 +98,7 @@ export class Projector {
     this.on = on;
     this.root.classList.toggle("projecting", on);
     setAttribute(this.button, "aria-pressed", `${on}`);
-    setText(this.button, on ? "Leave full screen" : "Full screen");
+    setText(this.button, on ? t("Leave full screen") : t("Full screen"));
     this.plots.enlarge(on ? kLarge : 1);
     this.timeline.enlarge(on ? kLarge : 1);
   }

@@ -5,42 +5,43 @@ import { holdButton } from "../kit/hold_button";
 import { clock, figure } from "../kit/units";
 import { DebriefButton } from "./debrief";
 import type { Desk } from "./desk";
+import { t, writtenFigure } from "../kit/language";
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 const kOpening = 20; // words of a replay, 5 a second, after which it is no longer sought where the page began
 
 export class ReplayBar {
   readonly element: HTMLElement;
-  private readonly play = h("button", { class: "plain play", onclick: () => this.playOrPause() }, "Play");
-  private readonly speed = h("select", { "aria-label": "speed", onchange: () => this.setSpeed() });
+  private readonly play = h("button", { class: "plain play", onclick: () => this.playOrPause() }, t("Play"));
+  private readonly speed = h("select", { "aria-label": t("speed"), onchange: () => this.setSpeed() });
   private readonly loop = h(
     "button",
     { class: "plain", "aria-pressed": "false", onclick: () => this.setLoop() },
-    "Loop",
+    t("Loop"),
   );
   private readonly place = h("span", { class: "place" });
-  private readonly target = h("select", { "aria-label": "exercise that goes on from here" });
+  private readonly target = h("select", { "aria-label": t("exercise that goes on from here") });
   private readonly debrief: DebriefButton;
   private opening = kOpening;
 
   constructor(private readonly desk: Desk) {
     this.debrief = new DebriefButton(desk);
-    for (const speed of speeds) this.speed.append(h("option", { value: `${speed}` }, `x${speed}`));
+    for (const speed of speeds) this.speed.append(h("option", { value: `${speed}` }, `x${writtenFigure(`${speed}`)}`));
     const jump = (text: string, title: string, act: () => void): HTMLButtonElement =>
       h("button", { class: "plain", title, "aria-label": title, onclick: act }, text);
     this.element = h(
       "div",
-      { class: "run-bar replay-bar", role: "toolbar", "aria-label": "replay" },
+      { class: "run-bar replay-bar", role: "toolbar", "aria-label": t("replay") },
       h(
         "span",
         { class: "group" },
-        jump("[\u25c2", "previous event, key [", () => this.toEvent(-1)),
-        jump("\u221210 s", "back 10 s, Shift and left arrow", () => this.step(-10)),
-        jump("\u22121 s", "back 1 s, left arrow", () => this.step(-1)),
+        jump("[\u25c2", t("previous event, key ["), () => this.toEvent(-1)),
+        jump("\u221210 s", t("back 10 s, Shift and left arrow"), () => this.step(-10)),
+        jump("\u22121 s", t("back 1 s, left arrow"), () => this.step(-1)),
         this.play,
-        jump("+1 s", "on 1 s, right arrow", () => this.step(1)),
-        jump("+10 s", "on 10 s, Shift and right arrow", () => this.step(10)),
-        jump("\u25b8]", "next event, key ]", () => this.toEvent(1)),
+        jump("+1 s", t("on 1 s, right arrow"), () => this.step(1)),
+        jump("+10 s", t("on 10 s, Shift and right arrow"), () => this.step(10)),
+        jump("\u25b8]", t("next event, key ]"), () => this.toEvent(1)),
       ),
       h("span", { class: "group" }, this.speed, this.loop),
       this.place,
@@ -48,9 +49,9 @@ export class ReplayBar {
       h(
         "span",
         { class: "group go-on" },
-        h("span", { class: "quiet" }, "Continue live from here in"),
+        h("span", { class: "quiet" }, t("Continue live from here in")),
         this.target,
-        holdButton("Continue live", 1, () => void this.continueLive(), { class: "plain" }),
+        holdButton(t("Continue live"), 1, () => void this.continueLive(), { class: "plain" }),
       ),
     );
     desk.link.on("ReplayStatus", () => this.update());
@@ -118,11 +119,14 @@ export class ReplayBar {
     const { link } = this.desk;
     const status = link.latest("ReplayStatus");
     const exercise = this.target.value;
-    if (!status || !exercise) return this.desk.say("Continue live: no live exercise is there to go on in");
+    if (!status || !exercise) return this.desk.say(t("Continue live: no live exercise is there to go on in"));
     const { recording, position } = status;
     if (await this.desk.ask(() => link.ask({ op: "continue_live", recording, position, exercise })))
       this.desk.say(
-        `${exercise} stands at ${clock(link.latest("ExerciseStatus")?.time ?? 0)}, paused: open its desk to start it`,
+        t("{exercise} stands at {time}, paused: open its desk to start it", {
+          exercise,
+          time: clock(link.latest("ExerciseStatus")?.time ?? 0),
+        }),
       );
   }
 
@@ -154,8 +158,15 @@ export class ReplayBar {
     }
     if (!status) return;
     this.debrief.recording = status.recording;
-    setText(this.play, status.playing ? "Pause" : "Play");
-    setText(this.place, `${clock(status.position)} of ${clock(status.duration)}, ${status.recording}`);
+    setText(this.play, status.playing ? t("Pause") : t("Play"));
+    setText(
+      this.place,
+      t("{position} of {duration}, {recording}", {
+        position: clock(status.position),
+        duration: clock(status.duration),
+        recording: status.recording,
+      }),
+    );
     setAttribute(this.loop, "aria-pressed", `${status.loop}`);
     if (document.activeElement === this.speed) return;
     if (!speeds.includes(status.speed) && !this.speed.querySelector(`[value="${status.speed}"]`))

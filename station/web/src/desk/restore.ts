@@ -5,6 +5,7 @@ import { clock } from "../kit/units";
 import type { Event } from "../wire/generated";
 import type { Desk } from "./desk";
 import { seconds } from "./time_field";
+import { t } from "../kit/language";
 
 // s of exercise time from one checkpoint to the next, kCheckpointPeriod of server/run/session_checkpoints.cpp
 const kPeriod = 10;
@@ -19,19 +20,19 @@ export class Restore {
   readonly element: HTMLElement;
   private readonly field = h("input", {
     class: "time",
-    "aria-label": "restore to, exercise time",
-    placeholder: "m:ss",
+    "aria-label": t("restore to, exercise time"),
+    placeholder: t("m:ss"),
   });
   private readonly question = h("p", { class: "text" });
   private readonly yes = h("button", { class: "primary", value: "back" });
   private readonly dialog = h(
     "dialog",
-    { class: "question panel", "aria-label": "restore", onclose: () => this.answered() },
+    { class: "question panel", "aria-label": t("restore"), onclose: () => this.answered() },
     h(
       "form",
       { method: "dialog" },
       this.question,
-      h("div", { class: "row" }, h("button", { value: "" }, "Stay here"), this.yes),
+      h("div", { class: "row" }, h("button", { value: "" }, t("Stay here")), this.yes),
     ),
   );
   private asked = 0; // s
@@ -41,7 +42,12 @@ export class Restore {
       event.preventDefault();
       this.ask();
     };
-    const form = h("form", { class: "group", onsubmit: ask }, this.field, h("button", { class: "plain" }, "Restore"));
+    const form = h(
+      "form",
+      { class: "group", onsubmit: ask },
+      this.field,
+      h("button", { class: "plain" }, t("Restore")),
+    );
     this.element = h("span", {}, form, this.dialog);
   }
 
@@ -53,16 +59,23 @@ export class Restore {
   private ask(): void {
     const now = this.desk.link.latest("ExerciseStatus")?.time ?? 0;
     const time = seconds(this.field.value);
-    const refuse = (why: string): void => this.desk.say(`Restore to: ${this.field.value || "nothing"} ${why}`);
-    if (Number.isNaN(time)) return refuse("is no time; m:ss is allowed");
-    if (time > now) return refuse(`is yet to come; 0:00 to ${clock(now)}, which is now, is allowed`);
+    const typed = this.field.value || t("nothing|typed");
+    if (Number.isNaN(time)) return this.desk.say(t("Restore to: {typed} is no time; m:ss is allowed", { typed }));
+    if (time > now)
+      return this.desk.say(
+        t("Restore to: {typed} is yet to come; 0:00 to {now}, which is now, is allowed", { typed, now: clock(now) }),
+      );
     this.asked = time;
     const there = clock(checkpointUpTo(time, this.desk.events.current()));
     setText(
       this.question,
-      `Back to the checkpoint at ${there}, paused? What happened from there to now, ${clock(now)}, is dropped.`,
+
+      t("Back to the checkpoint at {there}, paused? What happened from there to now, {now}, is dropped.", {
+        there,
+        now: clock(now),
+      }),
     );
-    setText(this.yes, `Back to ${there}`);
+    setText(this.yes, t("Back to {there}", { there }));
     this.dialog.returnValue = "";
     this.dialog.showModal();
   }

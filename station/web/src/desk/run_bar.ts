@@ -8,31 +8,32 @@ import { RunState } from "../wire/generated";
 import { DebriefButton } from "./debrief";
 import type { Desk } from "./desk";
 import { Restore } from "./restore";
+import { t, writtenFigure } from "../kit/language";
 
 const scales = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20];
 
 export class RunBar {
   readonly element: HTMLElement;
-  private readonly exercise = h("select", { "aria-label": "exercise", onchange: () => this.open() });
-  private readonly start = h("button", { class: "plain", onclick: () => this.run("EXERCISE_START") }, "Start");
-  private readonly pause = h("button", { class: "plain", onclick: () => this.run("EXERCISE_PAUSE") }, "Pause");
-  private readonly scale = h("select", { "aria-label": "time scale", onchange: () => this.setScale() });
+  private readonly exercise = h("select", { "aria-label": t("exercise"), onchange: () => this.open() });
+  private readonly start = h("button", { class: "plain", onclick: () => this.run("EXERCISE_START") }, t("Start"));
+  private readonly pause = h("button", { class: "plain", onclick: () => this.run("EXERCISE_PAUSE") }, t("Pause"));
+  private readonly scale = h("select", { "aria-label": t("time scale"), onchange: () => this.setScale() });
   private readonly restore: Restore;
   private readonly file = h("input", {
     class: "file",
-    "aria-label": "exercise file",
-    placeholder: "file, e.g. walk_back_60m",
+    "aria-label": t("exercise file"),
+    placeholder: t("file, e.g. walk_back_60m"),
   });
   private readonly word = h("input", {
     class: "word",
-    "aria-label": "bookmark",
-    placeholder: "Bookmark (F4)",
+    "aria-label": t("bookmark"),
+    placeholder: t("Bookmark (F4)"),
     maxLength: 128,
   });
   private readonly record = h(
     "button",
     { class: "plain rec", "aria-pressed": "false", onclick: () => this.toggleRecord() },
-    "REC",
+    t("REC"),
   );
   private readonly debrief: DebriefButton;
 
@@ -41,35 +42,35 @@ export class RunBar {
     this.restore = new Restore(desk);
     const button = (text: string, action: string, title: string): HTMLButtonElement =>
       h("button", { class: "plain", title, onclick: () => this.run(action) }, text);
-    for (const scale of scales) this.scale.append(h("option", { value: `${scale}` }, `x${scale}`));
+    for (const scale of scales) this.scale.append(h("option", { value: `${scale}` }, `x${writtenFigure(`${scale}`)}`));
     const markNow = h(
       "form",
       { class: "row", onsubmit: (e: Event) => this.bookmark(e) },
       this.word,
-      h("button", { class: "plain", title: "F4" }, "Mark"),
+      h("button", { class: "plain", title: "F4" }, t("Mark")),
     );
     this.element = h(
       "div",
-      { class: "run-bar", role: "toolbar", "aria-label": "exercise control" },
+      { class: "run-bar", role: "toolbar", "aria-label": t("exercise control") },
       this.exercise,
       h("span", { class: "group" }, this.start, this.pause, this.scale),
       h(
         "span",
         { class: "group" },
-        button("Snapshot", "EXERCISE_SNAPSHOT", "a checkpoint now, beside those every 10 s"),
+        button(t("Snapshot"), "EXERCISE_SNAPSHOT", t("a checkpoint now, beside those every 10 s")),
         this.restore.element,
       ),
       h(
         "span",
         { class: "group" },
-        holdButton("Reset", 0.8, () => void this.run("EXERCISE_RESET"), { class: "plain" }),
-        holdButton("End", 0.8, () => void this.run("EXERCISE_STOP"), { class: "plain" }),
+        holdButton(t("Reset"), 0.8, () => void this.run("EXERCISE_RESET"), { class: "plain" }),
+        holdButton(t("End"), 0.8, () => void this.run("EXERCISE_STOP"), { class: "plain" }),
       ),
       h(
         "span",
         { class: "group load" },
         this.file,
-        holdButton("Load", 0.8, () => this.load(), { class: "plain" }),
+        holdButton(t("Load"), 0.8, () => this.load(), { class: "plain" }),
       ),
       h("span", { class: "group" }, this.record, this.debrief.element),
       markNow,
@@ -97,7 +98,7 @@ export class RunBar {
   private load(): void {
     const file = this.file.value.trim();
     if (file) void this.run("EXERCISE_LOAD", { exercise: file });
-    else this.desk.say("Load: name a file of the server's exercise folder");
+    else this.desk.say(t("Load: name a file of the server's exercise folder"));
   }
   private async bookmark(event: Event): Promise<void> {
     event.preventDefault();
@@ -119,18 +120,20 @@ export class RunBar {
     const hello = link.hello;
     if (hello) this.showExercises([...new Set([hello.exercise, ...hello.live])].sort(), hello.exercise);
     setAttribute(this.record, "aria-pressed", `${Boolean(hello?.recording)}`);
-    this.record.title = hello?.recording ? `recording ${hello.recording}; press to end` : "record this exercise";
+    this.record.title = hello?.recording
+      ? t("recording {name}; press to end", { name: hello.recording })
+      : t("record this exercise");
     this.debrief.recording = hello?.recorded ?? "";
     if (!status) return;
     const running = status.state === RunState.RUN_RUNNING;
     this.start.disabled = running || status.state >= RunState.RUN_FINISHED;
     this.pause.disabled = !running;
-    this.start.textContent = status.state === RunState.RUN_PAUSED ? "Go on" : "Start";
+    this.start.textContent = status.state === RunState.RUN_PAUSED ? t("Go on") : t("Start");
     const asked = `${status.time_scale}`;
     if (document.activeElement !== this.scale) {
       if (!scales.includes(status.time_scale) && !this.scale.querySelector(`[value="${asked}"]`))
         this.scale.append(
-          h("option", { value: asked }, status.time_scale ? `x${figure(status.time_scale, 2)}` : "fastest"),
+          h("option", { value: asked }, status.time_scale ? `x${figure(status.time_scale, 2)}` : t("fastest")),
         );
       this.scale.value = asked;
     }

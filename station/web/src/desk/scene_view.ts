@@ -7,15 +7,16 @@ import { frameOfTruth } from "../scene/from_truth";
 import { type CameraName, ShipScene } from "../scene/ship_scene";
 import type { SceneDescription } from "../wire/generated";
 import type { Desk } from "./desk";
+import { language, t } from "../kit/language";
 
 const cameras: readonly (readonly [CameraName, string])[] = [
-  ["outside", "Outside"],
-  ["bow", "Over the bow"],
-  ["stand", "Stand"],
-  ["brake", "Brake"],
-  ["aft", "Aft"],
-  ["water", "Under water"],
-  ["free", "Free"],
+  ["outside", t("Outside")],
+  ["bow", t("Over the bow")],
+  ["stand", t("Stand")],
+  ["brake", t("Brake")],
+  ["aft", t("Aft")],
+  ["water", t("Under water")],
+  ["free", t("Free")],
 ];
 
 export class SceneView {
@@ -23,7 +24,7 @@ export class SceneView {
   /** Whether anybody sees it: else it draws nothing. */
   visible = true;
   private canvas = h("canvas", { role: "img" });
-  private readonly message = h("p", { class: "scene-message" }, "Waiting for the ship ...");
+  private readonly message = h("p", { class: "scene-message" }, t("Waiting for the ship ..."));
   private readonly loads: HTMLButtonElement;
   private scene: ShipScene | undefined;
   private shown: bigint | undefined; // definition of what the scene shows
@@ -40,19 +41,25 @@ export class SceneView {
       this.camera = name;
       this.scene?.setCamera(name);
       for (const button of buttons) setAttribute(button, "aria-pressed", `${button.dataset.camera === name}`);
-      setAttribute(this.canvas, "aria-label", `the ship, camera ${name}; drag looks round, the wheel zooms`);
+      setAttribute(
+        this.canvas,
+        "aria-label",
+        t("the ship, camera {name}; drag looks round, the wheel zooms", {
+          name: language === "en" ? name : (cameras.find(([each]) => each === name)?.[1] ?? name),
+        }),
+      );
     };
     this.loads = h(
       "button",
       { class: "chip", "aria-pressed": "true", onclick: () => this.toggleLoads() },
-      "Loads on chain",
+      t("Loads on chain"),
     );
     this.element = h(
       "div",
       { class: "view scene-view" },
       this.canvas,
       this.message,
-      h("div", { class: "chips over", role: "group", "aria-label": "camera" }, ...buttons, this.loads),
+      h("div", { class: "chips over", role: "group", "aria-label": t("camera") }, ...buttons, this.loads),
     );
     look("outside");
     desk.link.on("SceneDescription", (description) => this.build(description));
@@ -87,7 +94,7 @@ export class SceneView {
     } catch (why) {
       this.scene = undefined;
       this.message.hidden = false;
-      this.message.textContent = "This browser draws no WebGL picture; the desk works without it.";
+      this.message.textContent = t("This browser draws no WebGL picture; the desk works without it.");
       console.warn(`${why}`);
       return;
     }

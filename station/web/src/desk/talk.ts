@@ -2,12 +2,13 @@
 
 import { h, setText } from "../kit/dom";
 import { orderMayBeBare, orderState, orderUnit, written } from "../kit/orders";
-import { cableSpeeds, celsius, clock, figure, loads, shackles } from "../kit/units";
+import { cableSpeeds, celsius, clock, figure, loads, shackles, sideWord } from "../kit/units";
 import { orderRows, reportText, saidOf, withSide } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState, type Report, ReportCode } from "../wire/generated";
 import type { Desk } from "./desk";
 import { anchorPhase } from "./truth";
+import { t, typedFigure } from "../kit/language";
 
 /** What was true when a report was given: "was 3.2 out"; empty where it can be neither right nor wrong. */
 export function truthOf(report: Report, link: Connection): string {
@@ -19,28 +20,31 @@ export function truthOf(report: Report, link: Connection): string {
     case ReportCode.REPORT_SHACKLES_ON_DECK:
     case ReportCode.REPORT_SHACKLES_IN_WATER:
     case ReportCode.REPORT_SHACKLES_IN_PIPE:
-      return `was ${figure(shackles(load.cable_out), 1)} out`;
+      return t("was {shackles} out", { shackles: figure(shackles(load.cable_out), 1) });
     case ReportCode.REPORT_LEAD:
     case ReportCode.REPORT_SHORT_STAY:
     case ReportCode.REPORT_UP_AND_DOWN:
       if (!chain) return ""; // of the past no chain is kept
-      return `was ${figure(chain.lead_clock, 1)} o'clock, ${saidOf("Stay", chain.stay)}`;
+      return t("was {hour} o'clock, {stay}", { hour: figure(chain.lead_clock, 1), stay: saidOf("Stay", chain.stay) });
     case ReportCode.REPORT_GROWING:
     case ReportCode.REPORT_WEIGHT:
-      return `was ${loads.text(load.hawse_tension)}`;
+      return t("was {what}", { what: loads.text(load.hawse_tension) });
     case ReportCode.REPORT_TURNS:
-      return chain ? `was ${figure(chain.turns, 1)}` : "";
+      return chain ? t("was {what}", { what: figure(chain.turns, 1) }) : "";
     case ReportCode.REPORT_NO_POWER:
-      return load.power ? "had power" : "had none";
+      return load.power ? t("had power") : t("had none");
     case ReportCode.REPORT_BRAKE_DOES_NOT_HOLD:
-      return (
-        `bore ${loads.figure(load.brake_load)} of ${loads.text(load.brake_capacity)}, ` +
-        `lining ${figure(celsius(load.lining_temperature))} \u00b0C`
-      );
+      return t("bore {load} of {capacity}, lining {degrees} °C", {
+        load: loads.figure(load.brake_load),
+        capacity: loads.text(load.brake_capacity),
+        degrees: figure(celsius(load.lining_temperature)),
+      });
     case ReportCode.REPORT_DOES_NOT_RUN:
-      return `ran ${cableSpeeds.text(load.cable_speed)}`;
+      return t("ran {speed}", { speed: cableSpeeds.text(load.cable_speed) });
     case ReportCode.REPORT_SECURED:
-      return `brake ${figure(100 * load.brake_position)} %, stopper ${load.stopper_closed ? "closed" : "open"}`;
+      return load.stopper_closed
+        ? t("brake {percent} %, stopper closed", { percent: figure(100 * load.brake_position) })
+        : t("brake {percent} %, stopper open", { percent: figure(100 * load.brake_position) });
     case ReportCode.REPORT_LET_GO:
     case ReportCode.REPORT_ON_THE_BOTTOM:
     case ReportCode.REPORT_BROUGHT_UP:
@@ -49,7 +53,7 @@ export function truthOf(report: Report, link: Connection): string {
     case ReportCode.REPORT_FOUL_ANCHOR:
     case ReportCode.REPORT_ANCHOR_HOME:
     case ReportCode.REPORT_DRAGGING:
-      return `was ${anchorPhase(anchor.phase)}`;
+      return t("was {what}", { what: anchorPhase(anchor.phase) });
     default:
       return "";
   }
@@ -59,7 +63,9 @@ export function truthOf(report: Report, link: Connection): string {
 function atLarge(side: number, link: Connection): string {
   const load = link.latest("WindlassLoad", side);
   const anchor = link.latest("AnchorState", side);
-  return load && anchor ? `was ${figure(shackles(load.cable_out), 1)} out, ${anchorPhase(anchor.phase)}` : "";
+  if (!load || !anchor) return "";
+  const out = figure(shackles(load.cable_out), 1);
+  return t("was {shackles} out, {phase}", { shackles: out, phase: anchorPhase(anchor.phase) });
 }
 
 interface Said {
@@ -73,29 +79,33 @@ const kShown = 200;
 
 export class TalkPanel {
   readonly element: HTMLElement;
-  private readonly list = h("ol", { class: "talk scroll", tabIndex: 0, "aria-label": "orders and reports" });
+  private readonly list = h("ol", { class: "talk scroll", tabIndex: 0, "aria-label": t("orders and reports") });
   private readonly orders = new Map<number, { said: Said; state: HTMLElement }>();
   private readonly all: Said[] = [];
   private readonly side = h(
     "select",
-    { "aria-label": "side of the order" },
-    h("option", { value: "0" }, "port"),
-    h("option", { value: "1" }, "starboard"),
-    h("option", { value: "-1" }, "both"),
+    { "aria-label": t("side of the order") },
+    h("option", { value: "0" }, sideWord(0)),
+    h("option", { value: "1" }, sideWord(1)),
+    h("option", { value: "-1" }, sideWord(-1)),
   );
-  private readonly code = h("select", { "aria-label": "order" });
-  private readonly value = h("input", { "aria-label": "figure of the order", inputMode: "decimal", class: "figure" });
+  private readonly code = h("select", { "aria-label": t("order") });
+  private readonly value = h("input", {
+    "aria-label": t("figure of the order"),
+    inputMode: "decimal",
+    class: "figure",
+  });
   private readonly unit = h("span", { class: "quiet" });
   private readonly words = h("input", {
-    "aria-label": "words of the order",
-    placeholder: "words",
+    "aria-label": t("words of the order"),
+    placeholder: t("words"),
     maxLength: 255,
     class: "words",
   });
   private run = -1;
 
   constructor(private readonly desk: Desk) {
-    this.code.append(h("option", { value: "BRIDGE_ORDER_TEXT" }, "own words"));
+    this.code.append(h("option", { value: "BRIDGE_ORDER_TEXT" }, t("own words")));
     for (const { enumerator, label } of orderRows)
       if (label !== undefined) this.code.append(h("option", { value: enumerator }, label));
     this.code.value = "BRIDGE_ORDER_STAND_BY";
@@ -103,13 +113,13 @@ export class TalkPanel {
     this.askFigure();
     const form = h(
       "form",
-      { class: "order-form", "aria-label": "order to the forecastle", onsubmit: (e: Event) => this.give(e) },
+      { class: "order-form", "aria-label": t("order to the forecastle"), onsubmit: (e: Event) => this.give(e) },
       this.side,
       this.code,
       this.value,
       this.unit,
       this.words,
-      h("button", { class: "plain primary" }, "Order"),
+      h("button", { class: "plain primary" }, t("Order")),
     );
     this.element = h("div", { class: "talk-panel" }, this.list, form);
     const { link } = desk;
@@ -174,9 +184,14 @@ export class TalkPanel {
     const code = BridgeOrderCode[this.code.value as keyof typeof BridgeOrderCode];
     const unit = orderUnit(code);
     const text = this.value.value.trim();
-    const value = unit && text ? Number(text) : 0;
+    const value = unit && text ? Number(typedFigure(text)) : 0;
     if (Number.isNaN(value) || (!text && !orderMayBeBare(code)))
-      return this.desk.say(`Order: ${text || "nothing"} is not allowed: a figure in ${unit?.written}`);
+      return this.desk.say(
+        t("Order: {typed} is not allowed: a figure in {unit}", {
+          typed: text || t("nothing|typed"),
+          unit: unit?.written ?? "",
+        }),
+      );
     const sent = await this.desk.give("BridgeOrderCommand", {
       code: this.code.value,
       side: Number(this.side.value),
@@ -210,7 +225,11 @@ export class TalkPanel {
       "li",
       { class: report ? "report" : "order" },
       h("time", {}, clock(time)),
-      h("span", { class: "who", title: report ? "forecastle" : "bridge" }, report ? "F" : "B"),
+      h(
+        "span",
+        { class: "who", title: report ? t("forecastle") : t("bridge") },
+        report ? t("F|forecastle") : t("B|bridge"),
+      ),
       h("span", { class: "text" }, words),
       typeof after === "string" ? h("span", { class: "was" }, after) : after,
     );

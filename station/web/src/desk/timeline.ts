@@ -1,13 +1,14 @@
 // The whole exercise on one line: faults, talk, alerts, events, bookmarks; in a replay the scrubber under it.
 
 import { h, setAttribute, setText, setVariable } from "../kit/dom";
-import { inChosenUnits } from "../kit/figures_in_text";
 import { everySecond } from "../kit/page";
 import { colour, onPalette } from "../kit/palette";
 import { clock, measures } from "../kit/units";
 import { AlertPriority, type Event, EventSeverity } from "../wire/generated";
 import type { Desk } from "./desk";
-import { isMark } from "./events";
+import { eventWords, isMark } from "./events";
+import { t, translated } from "../kit/language";
+import { alertWords } from "../kit/words";
 
 interface Mark {
   time: number; // s of exercise time
@@ -23,7 +24,7 @@ interface AlertMark extends Mark {
   heard: number; // ms of performance.now()
 }
 
-const lanes = ["faults", "talk", "alerts", "events", "bookmarks"] as const;
+const lanes = [t("faults"), t("talk"), t("alerts"), t("events"), t("bookmarks")] as const;
 const kLane = 13; // px, as the others at the usual size
 const kAxis = 16;
 const kFont = 11;
@@ -31,7 +32,9 @@ const kRoom = 40; // px between two marks, from which on words have room
 const kLabels = 76;
 const kRight = 16;
 const kNear = 7; // px, of the pointer from a mark
-const kWhich = /^(?:order \d+ given|alert): /; // its lane and its place say that
+const kAlert = t("alert:");
+const kGiven = translated("order {0} given: {order}").replace("{0}", "\\d+").replace(" {order}", "");
+const kWhich = new RegExp(`^(?:${kGiven}|${kAlert}) `); // its lane and its place say that
 const kLead = 0.5; // s before an event, so that it is seen to happen
 
 const severityColour = (severity: EventSeverity): string =>
@@ -88,7 +91,7 @@ export class Timeline {
     max: "1",
     step: "0.1",
     class: "scrubber",
-    "aria-label": "position in the recording, s",
+    "aria-label": t("position in the recording, s"),
   });
   private readonly alerts = new Map<string, AlertMark>();
   private marks: Mark[] = [];
@@ -102,7 +105,13 @@ export class Timeline {
     private readonly desk: Desk,
     private readonly wishes: TimelineWishes,
   ) {
-    this.element = h("section", { class: "timeline", "aria-label": "timeline" }, this.canvas, this.scrubber, this.tip);
+    this.element = h(
+      "section",
+      { class: "timeline", "aria-label": t("timeline") },
+      this.canvas,
+      this.scrubber,
+      this.tip,
+    );
     desk.events.onChange(() => (this.stale = true));
     for (const topic of ["Alert", "ServerAlert"] as const)
       desk.link.on(topic, (alert) => {
@@ -111,7 +120,7 @@ export class Timeline {
           time: alert.raised_time,
           lane: 2,
           colour: priorityColour(alert.priority),
-          text: `alert: ${alert.text}`,
+          text: `${kAlert} ${alertWords(alert).text}`,
           flag: true,
         };
         this.alerts.set(`${alert.code}/${alert.side}/${alert.raised_time}`, mark);
@@ -181,7 +190,7 @@ export class Timeline {
       const name =
         lane === 4 ? "element-active-color" : lane === 0 ? "alert-warning-color" : severityColour(event.severity);
       const flag = lane === 0 || lane === 4 || (lane === 3 && /^(anchor|exercise\.restored)/.test(event.code));
-      return { time: event.time, position: event.position, lane, colour: name, text: inChosenUnits(event.text), flag };
+      return { time: event.time, position: event.position, lane, colour: name, text: eventWords(event), flag };
     });
     this.marks.push(...this.alerts.values());
   }
@@ -239,7 +248,11 @@ export class Timeline {
     if (this.replay && status && !this.scrubbing) {
       this.scrubber.max = `${status.duration}`;
       this.scrubber.value = `${status.position}`;
-      setAttribute(this.scrubber, "aria-valuetext", `${clock(status.position)} of ${clock(status.duration)}`);
+      setAttribute(
+        this.scrubber,
+        "aria-valuetext",
+        t("{position} of {duration}", { position: clock(status.position), duration: clock(status.duration) }),
+      );
     }
     const ratio = devicePixelRatio;
     const width = this.canvas.clientWidth;
@@ -252,7 +265,11 @@ export class Timeline {
       this.canvas.width = Math.round(width * ratio);
       this.canvas.height = Math.round(height * ratio);
     }
-    setAttribute(this.canvas, "aria-label", `timeline with ${this.marks.length} marks; the log lists them`);
+    setAttribute(
+      this.canvas,
+      "aria-label",
+      t("timeline with {count} marks; the log lists them", { count: this.marks.length }),
+    );
     const ctx = this.canvas.getContext("2d")!;
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
     ctx.clearRect(0, 0, width, height);

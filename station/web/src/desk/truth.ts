@@ -6,11 +6,23 @@ import { showsTopic } from "../kit/live";
 import { loadsMeasured } from "../kit/measured";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { everySecond } from "../kit/page";
-import { type Measure, cableSpeeds, celsius, degrees, figure, loads, measures, shackles, sideName } from "../kit/units";
+import {
+  type Measure,
+  cableSpeeds,
+  celsius,
+  degrees,
+  figure,
+  loads,
+  measures,
+  shackles,
+  sideWord,
+  unitWritten,
+} from "../kit/units";
 import { saidOf } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { AnchorPhase } from "../wire/generated";
 import type { Desk } from "./desk";
+import { t } from "../kit/language";
 
 export const anchorPhase = (phase: AnchorPhase): string => saidOf("AnchorPhase", phase);
 
@@ -44,7 +56,7 @@ const onBottom = (link: Connection, side: number): boolean => {
 
 export const truthRows: readonly Row[] = [
   {
-    label: "cable out",
+    label: t("cable out"),
     projected: true,
     unit: "m",
     shown: (l, s) => figure(load(l, s)?.cable_out_indicated ?? NaN, 1),
@@ -53,19 +65,19 @@ export const truthRows: readonly Row[] = [
   },
   {
     label: "",
-    unit: "shackles",
+    unit: t("shackles|a unit"),
     shown: (l, s) => figure(shackles(load(l, s)?.cable_out_indicated ?? NaN), 1),
     is: (l, s) => figure(shackles(load(l, s)?.cable_out ?? NaN), 1),
   },
   {
-    label: "cable speed",
+    label: t("cable speed|a row"),
     projected: true,
     unit: cableSpeeds,
     is: (l, s) => cableSpeeds.figure(load(l, s)?.cable_speed ?? NaN),
     warns: (l, s) => Math.abs(load(l, s)?.cable_speed ?? 0) > limits.cable_fast.value,
   },
   {
-    label: "load, gypsy",
+    label: t("load, gypsy"),
     projected: true,
     unit: loads,
     shown: (l, s) => ofForce(loaded(l, s)?.gypsy_load_indicated),
@@ -73,39 +85,39 @@ export const truthRows: readonly Row[] = [
     warns: (l, s) => Math.abs((load(l, s)?.gypsy_load ?? 0) - (load(l, s)?.gypsy_load_indicated ?? 0)) > 30000,
   },
   {
-    label: "tension, hawse",
+    label: t("tension, hawse"),
     projected: true,
     unit: loads,
     is: (l, s) => ofForce(loaded(l, s)?.hawse_tension),
     warns: (l, s) => (load(l, s)?.utilisation ?? 0) > limits.load_allowed.value,
   },
   {
-    label: "of breaking load",
+    label: t("of breaking load"),
     projected: true,
     unit: "%",
     is: (l, s) => figure(100 * (loaded(l, s)?.utilisation ?? NaN)),
     warns: (l, s) => (load(l, s)?.utilisation ?? 0) > limits.load_allowed.value,
   },
-  { label: "brake bears", projected: true, unit: loads, is: (l, s) => ofForce(loaded(l, s)?.brake_load) },
+  { label: t("brake bears"), projected: true, unit: loads, is: (l, s) => ofForce(loaded(l, s)?.brake_load) },
   {
-    label: "brake could hold",
+    label: t("brake could hold"),
     projected: true,
     unit: loads,
     is: (l, s) => ofForce(loaded(l, s)?.brake_capacity),
   },
-  { label: "stopper bears", projected: true, unit: loads, is: (l, s) => ofForce(loaded(l, s)?.stopper_load) },
-  { label: "motor bears", projected: true, unit: loads, is: (l, s) => ofForce(loaded(l, s)?.motor_load) },
+  { label: t("stopper bears"), projected: true, unit: loads, is: (l, s) => ofForce(loaded(l, s)?.stopper_load) },
+  { label: t("motor bears"), projected: true, unit: loads, is: (l, s) => ofForce(loaded(l, s)?.motor_load) },
   {
-    label: "lining",
+    label: t("lining"),
     unit: "\u00b0C",
     is: (l, s) => c(load(l, s)?.lining_temperature),
     warns: (l, s) => (load(l, s)?.lining_temperature ?? 0) > limits.lining_smokes.value,
   },
-  { label: "drum", unit: "\u00b0C", is: (l, s) => c(load(l, s)?.drum_temperature) },
-  { label: "lining friction", unit: "", is: (l, s) => figure(load(l, s)?.lining_friction ?? NaN, 2) },
-  { label: "lining worn", unit: "%", is: (l, s) => figure(100 * (load(l, s)?.brake_wear ?? NaN)) },
+  { label: t("drum"), unit: "\u00b0C", is: (l, s) => c(load(l, s)?.drum_temperature) },
+  { label: t("lining friction"), unit: "", is: (l, s) => figure(load(l, s)?.lining_friction ?? NaN, 2) },
+  { label: t("lining worn"), unit: "%", is: (l, s) => figure(100 * (load(l, s)?.brake_wear ?? NaN)) },
   {
-    label: "anchor",
+    label: t("anchor"),
     projected: true,
     unit: "",
     is: (l, s) => {
@@ -118,49 +130,58 @@ export const truthRows: readonly Row[] = [
       ),
   },
   {
-    label: "holds",
+    label: t("holds"),
     projected: true,
     unit: loads,
     is: (l, s) => (onBottom(l, s) ? ofForce(anchor(l, s)?.holding_used) : "\u2013"),
   },
   {
-    label: "could hold",
+    label: t("could hold"),
     projected: true,
     unit: loads,
     is: (l, s) => (onBottom(l, s) ? ofForce(anchor(l, s)?.holding_capacity) : "\u2013"),
   },
   {
-    label: "dug in",
+    label: t("dug in"),
     unit: "%",
     is: (l, s) => (onBottom(l, s) ? figure(100 * (anchor(l, s)?.embedment ?? NaN)) : "\u2013"),
   },
   {
-    label: "dragged",
+    label: t("dragged"),
     unit: "m",
     is: (l, s) => figure(anchor(l, s)?.dragged ?? NaN, 1),
   },
   {
-    label: "uplift",
+    label: t("uplift"),
     unit: "\u00b0",
     is: (l, s) => (onBottom(l, s) ? figure(degrees(anchor(l, s)?.uplift ?? NaN), 1) : "\u2013"),
   },
-  { label: "leads", unit: "o'clock", is: (l, s) => figure(chain(l, s)?.lead_clock ?? NaN, 1) },
-  { label: "stay", projected: true, unit: "", is: (l, s) => (chain(l, s) ? saidOf("Stay", chain(l, s)!.stay) : "-") },
-  { label: "on the bottom", unit: "m", is: (l, s) => figure(chain(l, s)?.on_bottom ?? NaN) },
+  { label: t("leads"), unit: t("o'clock"), is: (l, s) => figure(chain(l, s)?.lead_clock ?? NaN, 1) },
   {
-    label: "turns",
+    label: t("stay"),
+    projected: true,
+    unit: "",
+    is: (l, s) => (chain(l, s) ? saidOf("Stay", chain(l, s)!.stay) : "-"),
+  },
+  { label: t("on the bottom"), unit: "m", is: (l, s) => figure(chain(l, s)?.on_bottom ?? NaN) },
+  {
+    label: t("turns"),
     unit: "",
     is: (l, s) => figure(chain(l, s)?.turns ?? NaN, 1),
     warns: (l, s) => Math.abs(chain(l, s)?.turns ?? 0) > 0.9,
   },
-  { label: "soil", unit: "", is: (l, s) => (anchor(l, s) ? saidOf("Soil", anchor(l, s)!.soil) : "-") },
+  { label: t("soil"), unit: "", is: (l, s) => (anchor(l, s) ? saidOf("Soil", anchor(l, s)!.soil) : "-") },
 ];
 
 export class TruthPanel {
   readonly element: HTMLElement;
   private readonly model = h("dl", { class: "model" });
   private readonly figures = new Map<string, HTMLElement>();
-  private readonly noLoads = h("p", { class: "quiet", hidden: true }, "No loads yet: they come with the first tick.");
+  private readonly noLoads = h(
+    "p",
+    { class: "quiet", hidden: true },
+    t("No loads yet: they come with the first tick."),
+  );
 
   constructor(private readonly desk: Desk) {
     const units: { cell: HTMLElement; measure: Measure }[] = [];
@@ -187,7 +208,7 @@ export class TruthPanel {
           "tr",
           {},
           h("td", {}),
-          ...[0, 1].map((side) => h("th", { colSpan: 2, scope: "colgroup", "data-side": side }, sideName(side))),
+          ...[0, 1].map((side) => h("th", { colSpan: 2, scope: "colgroup", "data-side": side }, sideWord(side))),
           h("td", {}),
         ),
         h(
@@ -195,7 +216,7 @@ export class TruthPanel {
           { class: "sub" },
           h("td", {}),
           ...[0, 1].flatMap((side) =>
-            ["gauge", "truth"].map((what) => h("th", { scope: "col", "data-side": side }, what)),
+            [t("gauge"), t("truth")].map((what) => h("th", { scope: "col", "data-side": side }, what)),
           ),
           h("td", {}),
         ),
@@ -216,33 +237,34 @@ export class TruthPanel {
     );
     this.element = h(
       "div",
-      { class: "truth-panel scroll", tabIndex: 0, role: "region", "aria-label": "truth beside gauges" },
+      { class: "truth-panel scroll", tabIndex: 0, role: "region", "aria-label": t("truth beside gauges") },
       this.noLoads,
       table,
-      h("h3", {}, "She shows"),
+      h("h3", {}, t("She shows")),
       new LightsAndShapesPanel(desk.link).element,
-      h("h3", {}, "Simulation"),
+      h("h3", {}, t("Simulation")),
       this.model,
     );
-    for (const [name, unit] of [
-      ["level", ""],
-      ["nodes", ""],
-      ["substeps", ""],
-      ["error of load", "%"],
-      ["error of shape", "m"],
-      ["late", "ms"],
-      ["overruns", ""],
-      ["orders refused", ""],
-      ["samples dropped", ""],
-    ]) {
+    const names: readonly (readonly [name: string, said: string, unit: string])[] = [
+      ["level", t("level"), ""],
+      ["nodes", t("nodes"), ""],
+      ["substeps", t("substeps"), ""],
+      ["load", t("error of load"), "%"],
+      ["shape", t("error of shape"), "m"],
+      ["late", t("late"), "ms"],
+      ["overruns", t("overruns"), ""],
+      ["refused", t("orders refused"), ""],
+      ["dropped", t("samples dropped"), ""],
+    ];
+    for (const [name, said, unit] of names) {
       const value = h("span", {});
-      this.figures.set(name!, value);
+      this.figures.set(name, value);
       this.model.append(
-        h("div", {}, h("dt", {}, name), h("dd", {}, value, unit ? h("span", { class: "unit" }, ` ${unit}`) : "")),
+        h("div", {}, h("dt", {}, said), h("dd", {}, value, unit ? h("span", { class: "unit" }, ` ${unit}`) : "")),
       );
     }
     const showUnits = (): void => {
-      for (const { cell, measure } of units) setText(cell, measure.unit.written);
+      for (const { cell, measure } of units) setText(cell, unitWritten(measure.unit));
     };
     for (const measure of measures) measure.onChoice(showUnits);
     showUnits();
@@ -275,11 +297,11 @@ export class TruthPanel {
     set("level", saidOf("ModelLevel", truth.model_level));
     set("nodes", figure(truth.model_nodes));
     set("substeps", figure(truth.model_substeps));
-    set("error of load", truth.model_error_load < 0 ? "\u2013" : figure(100 * truth.model_error_load, 2));
-    set("error of shape", truth.model_error_shape < 0 ? "\u2013" : figure(truth.model_error_shape, 3));
+    set("load", truth.model_error_load < 0 ? "\u2013" : figure(100 * truth.model_error_load, 2));
+    set("shape", truth.model_error_shape < 0 ? "\u2013" : figure(truth.model_error_shape, 3));
     set("late", figure(1000 * truth.lateness, 1));
     set("overruns", figure(truth.overruns));
-    set("orders refused", figure(truth.commands_refused));
-    set("samples dropped", figure(truth.samples_dropped));
+    set("refused", figure(truth.commands_refused));
+    set("dropped", figure(truth.samples_dropped));
   }
 }

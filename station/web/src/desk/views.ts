@@ -4,12 +4,13 @@ import { h, setAttribute } from "../kit/dom";
 import type { Desk } from "./desk";
 import { PlanFeed } from "./plan_feed";
 import type { SceneView } from "./scene_view";
+import { t } from "../kit/language";
 
 type Mode = "both" | "scene" | "plan";
 const modes: readonly (readonly [Mode, string])[] = [
-  ["both", "3D and plan"],
+  ["both", t("3D and plan")],
   ["scene", "3D"],
-  ["plan", "Plan"],
+  ["plan", t("Plan")],
 ];
 
 const kMode = "windlass.views";
@@ -40,7 +41,7 @@ export class Views {
     this.buttons = modes.map(([mode, text]) =>
       h("button", { class: "chip", "data-mode": mode, onclick: () => this.show(mode) }, text),
     );
-    this.choice = h("div", { class: "chips", role: "group", "aria-label": "pictures shown" }, ...this.buttons);
+    this.choice = h("div", { class: "chips", role: "group", "aria-label": t("pictures shown") }, ...this.buttons);
     this.show(remembered());
   }
 

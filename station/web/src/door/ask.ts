@@ -1,6 +1,7 @@
 // What pages of the door ask it, and do there. docs/class.md has the list.
 
 import type { RunState } from "../wire/generated";
+import { t } from "../kit/language";
 
 /** Why the door did not. */
 export class Denied extends Error {
@@ -28,6 +29,12 @@ export interface Me {
 }
 
 export type PlaceName = "ship" | "forecastle" | "bridge" | "watch";
+export const placeWords: Readonly<Record<PlaceName, string>> = {
+  ship: t("ship|seat"),
+  forecastle: t("forecastle"),
+  bridge: t("bridge"),
+  watch: t("watch|seat"),
+};
 
 export interface Seat {
   place: PlaceName;

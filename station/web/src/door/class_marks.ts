@@ -2,12 +2,15 @@
 
 import { outcomeSaid } from "../kit/words";
 import { h } from "../kit/dom";
-import type { ClassExercise, TrainingClass } from "./ask";
+import { type ClassExercise, type TrainingClass, placeWords } from "./ask";
+import { t } from "../kit/language";
 
 /** In words: points, and what they mean once the lesson is over. */
 export function marksOf({ points, outcome }: ClassExercise): string {
-  if (points === null) return "not marked";
-  return `${points.toFixed(0)} points${outcome ? `, ${outcomeSaid(outcome)}` : " so far"}`;
+  if (points === null) return t("not marked");
+  const whole = points.toFixed(0);
+  if (!outcome) return t("{points} points so far", { points: whole });
+  return t("{points} points, {outcome}", { points: whole, outcome: outcomeSaid(outcome) });
 }
 
 /** A class that is over. */
@@ -20,20 +23,20 @@ export function classMarks(it: TrainingClass): HTMLElement {
           "tr",
           { "data-exercise": each.exercise },
           h("th", { scope: "row" }, name),
-          h("td", {}, `${each.exercise}, ${place}`),
+          h("td", {}, `${each.exercise}, ${placeWords[place]}`),
           h("td", { class: "marks" }, marksOf(each)),
           h(
             "td",
             {},
             each.recording
-              ? h("a", { href: `/door/debriefing?recording=${each.recording}`, target: "_blank" }, "Debriefing")
-              : "not recorded",
+              ? h("a", { href: `/door/debriefing?recording=${each.recording}`, target: "_blank" }, t("Debriefing"))
+              : t("not recorded"),
           ),
         ),
       ),
   );
-  if (rows.length === 0) return h("p", { class: "quiet" }, "Nobody sat in this class.");
-  const heads = ["Trainee", "Seat", "Marks", "Talk it over"];
+  if (rows.length === 0) return h("p", { class: "quiet" }, t("Nobody sat in this class."));
+  const heads = [t("Trainee"), t("Seat"), t("Marks"), t("Talk it over")];
   return h(
     "section",
     { class: "panel class-marks" },
@@ -44,6 +47,6 @@ export function classMarks(it: TrainingClass): HTMLElement {
       h("thead", {}, h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)))),
       h("tbody", {}, ...rows),
     ),
-    h("p", {}, h("a", { href: `/door/marks.csv?class=${it.id}`, download: `${it.id}.csv` }, "As a table (CSV)")),
+    h("p", {}, h("a", { href: `/door/marks.csv?class=${it.id}`, download: `${it.id}.csv` }, t("As a table (CSV)"))),
   );
 }

@@ -5,13 +5,15 @@ import { holdButton } from "../kit/hold_button";
 import { runStateWords } from "../kit/run_state";
 import { clock } from "../kit/units";
 import { RunState } from "../wire/generated";
-import { type ClassExercise, type Classes, type Me, type Seat, type TrainingClass, act, ask } from "./ask";
+import { type ClassExercise, type Classes, type Me, type Seat, type TrainingClass, act, ask, placeWords } from "./ask";
 import { classMarks, marksOf } from "./class_marks";
 import { frame } from "./frame";
 import { newClass } from "./new_class";
 import { qr } from "./qr";
 import { toAll } from "./to_all";
+import { t, translated } from "../kit/language";
 
+const kNoServer = t("No server is heard: exercises are made as soon as there is one");
 const kLook = 1000; // ms
 const kHttps = 443; // which no address names
 const kGrouped = /(...)(?=.)/g;
@@ -28,7 +30,7 @@ function address({ names, port }: Classes): string {
 
 class ClassPage {
   private readonly notice = h("p", { class: "notice", role: "status" });
-  private readonly tabs = h("nav", { class: "tabs", "aria-label": "classes" });
+  private readonly tabs = h("nav", { class: "tabs", "aria-label": t("classes") });
   private readonly body = h("div", { class: "class-body" });
   private readonly form: HTMLElement;
   private readonly code = h("div", {});
@@ -63,7 +65,7 @@ class ClassPage {
       if (this.notice.dataset.lost) this.say("");
     } catch (why) {
       if ((why as { status?: number }).status === 401) location.assign("/login");
-      this.say("The door is not heard: what is shown is old");
+      this.say(t("The door is not heard: what is shown is old"));
       this.notice.dataset.lost = "1";
     }
   }
@@ -111,15 +113,15 @@ class ClassPage {
         this.made.clear();
         return [this.code, this.bar(it), this.exercises(it)];
       }
-      return [this.leads ? this.form : h("p", { class: "quiet" }, "There is no class.")];
+      return [this.leads ? this.form : h("p", { class: "quiet" }, t("There is no class."))];
     });
     if (it && !it.over) {
       this.fill(this.code, [it.code, this.known.names, this.known.port], () => [this.door(it)]);
       this.fill(this.said, [it.lesson, it.exercises.map(({ seats }) => seats), this.mover], () => this.saidNow(it));
       for (const each of it.exercises) this.showExercise(each);
     }
-    if (this.known.servers === 0) this.say("No server is heard: exercises are made as soon as there is one");
-    else if (this.notice.textContent?.startsWith("No server")) this.say("");
+    if (this.known.servers === 0) this.say(kNoServer);
+    else if (this.notice.textContent === kNoServer) this.say("");
   }
 
   private tabsNow(): Node[] {
@@ -138,8 +140,8 @@ class ClassPage {
         text,
       );
     return [
-      ...this.known.classes.map(({ id, over }) => tab(over ? `${id}, over` : id, id)),
-      ...(this.leads ? [tab("New class", undefined)] : []),
+      ...this.known.classes.map(({ id, over }) => tab(over ? t("{id}, over", { id }) : id, id)),
+      ...(this.leads ? [tab(t("New class"), undefined)] : []),
     ];
   }
 
@@ -147,35 +149,35 @@ class ClassPage {
   private door(it: TrainingClass): HTMLElement {
     const to = address(this.known);
     if (!it.code)
-      return h("p", { class: "panel" }, "The code of this class is good no longer; who has a seat keeps it.");
+      return h("p", { class: "panel" }, t("The code of this class is good no longer; who has a seat keeps it."));
     const big = h("dialog", { class: "projector", onclick: () => big.close() });
     const content = (): Node[] => [
       qr(`${to}?code=${it.code}`),
       h("div", {}, h("p", { class: "address" }, to), h("p", { class: "letters" }, it.code.replace(kGrouped, "$1 "))),
     ];
-    const show = h("button", { class: "plain" }, "Show large");
+    const show = h("button", { class: "plain" }, t("Show large"));
     show.onclick = () => {
       big.replaceChildren(...content());
       document.body.append(big);
       big.showModal();
       big.onclose = () => big.remove();
     };
-    return h("section", { class: "panel code-panel", "aria-label": "code of the class" }, ...content(), show);
+    return h("section", { class: "panel code-panel", "aria-label": t("code of the class") }, ...content(), show);
   }
 
   private bar(it: TrainingClass): HTMLElement {
-    const bar = h("div", { class: "bar", role: "toolbar", "aria-label": `class ${it.id}` });
+    const bar = h("div", { class: "bar", role: "toolbar", "aria-label": t("class {id}", { id: it.id }) });
     if (this.leads)
       bar.append(
-        h("button", { class: "primary", onclick: () => void this.do("start") }, "Start all"),
-        h("button", { onclick: () => void this.do("pause") }, "Pause all"),
+        h("button", { class: "primary", onclick: () => void this.do("start") }, t("Start all")),
+        h("button", { onclick: () => void this.do("pause") }, t("Pause all")),
         ...toAll(
           (topic, sample) => this.do("give", { topic, sample }),
           (text) => this.say(text),
         ),
       );
     bar.append(this.said);
-    if (this.leads) bar.append(holdButton("End the class", 1, () => void this.do("end"), { class: "end" }));
+    if (this.leads) bar.append(holdButton(t("End the class"), 1, () => void this.do("end"), { class: "end" }));
     return bar;
   }
 
@@ -184,15 +186,20 @@ class ClassPage {
     const seats = exercises.flatMap(({ seats: all }) => all);
     const taken = seats.filter(({ name }) => name !== null).length;
     const here = seats.filter((seat) => seat.here).length;
-    const words = `${lesson}; ${taken} of ${seats.length} seats taken, ${here} at work`;
+    const all = seats.length;
+    const words = t("{lesson}; {taken} of {seats} seats taken, {here} at work", { lesson, taken, seats: all, here });
     const name = this.mover;
     return [
       h("span", { class: "quiet" }, words),
       ...(name === undefined
         ? []
         : [
-            h("strong", {}, `${name}: choose another seat, or`),
-            h("button", { onclick: () => this.choose(undefined, () => this.do("remove", { name })) }, "Free the seat"),
+            h("strong", {}, t("{name}: choose another seat, or", { name })),
+            h(
+              "button",
+              { onclick: () => this.choose(undefined, () => this.do("remove", { name })) },
+              t("Free the seat"),
+            ),
           ]),
     ];
   }
@@ -222,7 +229,11 @@ class ClassPage {
             {},
             h("h3", {}, exercise),
             state,
-            h("a", { href: `/instructor?exercise=${exercise}`, "aria-label": `Desk of ${exercise}` }, "Desk"),
+            h(
+              "a",
+              { href: `/instructor?exercise=${exercise}`, "aria-label": t("Desk of {exercise}", { exercise }) },
+              t("Desk"),
+            ),
           ),
           seats,
         ),
@@ -255,8 +266,8 @@ class ClassPage {
           else this.choose(mover === name ? undefined : (name ?? undefined));
         },
       },
-      h("span", { class: "quiet" }, place),
-      h("span", { class: "who" }, name ?? "free"),
+      h("span", { class: "quiet" }, placeWords[place]),
+      h("span", { class: "who" }, name ?? t("free")),
       name !== null && h("span", { class: "here" }, it),
     );
   }
@@ -267,13 +278,13 @@ const kSilentStep = 10; // s, in which it is told
 
 /** What is known of who sits there; of who only watches, no more than that. */
 function doing({ state }: ClassExercise, { place, here, silent }: Seat): string {
-  if (!here) return "away";
-  if (state !== RunState.RUN_RUNNING || place === "watch" || silent === null || silent < kSilent) return "at work";
-  return `silent ${clock(kSilentStep * Math.floor(silent / kSilentStep))}`;
+  if (!here) return t("away");
+  if (state !== RunState.RUN_RUNNING || place === "watch" || silent === null || silent < kSilent) return t("at work");
+  return t("silent {time}", { time: clock(kSilentStep * Math.floor(silent / kSilentStep)) });
 }
 
 function stateOf({ state, time }: ClassExercise): string {
-  return state === null ? "is being made" : `${runStateWords(state)} ${clock(time)}`;
+  return state === null ? t("is being made") : `${runStateWords(state)} ${clock(time)}`;
 }
 
 export async function makeClass(): Promise<void> {
@@ -281,13 +292,17 @@ export async function makeClass(): Promise<void> {
   const leads = me.rank === "owner" || me.rank === "instructor";
   const link = (href: string, text: string): Node => h("a", { href }, text);
   const root = frame(
-    "Class",
-    link("/classroom", "Classroom"),
-    ...(leads ? [link("/lessons", "Lessons")] : []),
-    ...(me.rank === "owner" ? [link("/people", "People")] : []),
-    link("/trust", "Certificate"),
-    h("span", { class: "quiet" }, `${me.name ?? ""}, ${me.rank ?? ""}`),
-    h("button", { class: "plain", onclick: () => void act("logout", {}).then(() => location.assign("/")) }, "Log out"),
+    t("Class"),
+    link("/classroom", t("Classroom")),
+    ...(leads ? [link("/lessons", t("Lessons"))] : []),
+    ...(me.rank === "owner" ? [link("/people", t("People"))] : []),
+    link("/trust", t("Certificate")),
+    h("span", { class: "quiet" }, `${me.name ?? ""}, ${translated(me.rank ?? "")}`),
+    h(
+      "button",
+      { class: "plain", onclick: () => void act("logout", {}).then(() => location.assign("/")) },
+      t("Log out"),
+    ),
   );
   new ClassPage(root, leads);
 }

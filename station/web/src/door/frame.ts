@@ -1,18 +1,21 @@
 // What the pages of the door have around them: the bar on top, and forms that say what went wrong.
 
 import { byId, h, setText } from "../kit/dom";
-import { choosePalette, palette, palettes } from "../kit/palette";
+import { nextPalette, paletteLabel, paletteWord } from "../kit/palette";
+import { languageButton } from "../kit/language_choice";
+import { t, titlePage } from "../kit/language";
 
 /** A page of no exercise: a bar with the title and what else stands in it; returns where the page puts itself. */
 export function frame(title: string, ...inBar: Node[]): HTMLElement {
+  titlePage(title);
   document.body.classList.add("obc-component-size-regular", "door");
-  const turn = h("button", { class: "plain", title: "palette" });
+  const turn = h("button", { class: "plain", title: t("palette") });
   const tell = (): void => {
-    setText(turn, palette());
-    turn.setAttribute("aria-label", `palette: ${palette()}`);
+    setText(turn, paletteWord());
+    turn.setAttribute("aria-label", paletteLabel());
   };
   turn.onclick = () => {
-    choosePalette(palettes[(palettes.indexOf(palette()) + 1) % palettes.length]!);
+    nextPalette();
     tell();
   };
   tell();
@@ -23,7 +26,7 @@ export function frame(title: string, ...inBar: Node[]): HTMLElement {
       h("span", { class: "title" }, "Windlass"),
       h("h1", { class: "seat" }, title),
       h("div", { class: "middle" }, ...inBar),
-      turn,
+      h("div", { class: "row" }, languageButton(), turn),
     ),
   );
   return byId("page");

@@ -3,11 +3,12 @@
 import { h } from "../kit/dom";
 import { type Me, act, ask } from "./ask";
 import { field, form, frame } from "./frame";
+import { t } from "../kit/language";
 
 const kLetters = 6; // of a code
 
 export function makeJoin(): void {
-  const root = frame("Join a class");
+  const root = frame(t("Join a class"));
   const given = new URLSearchParams(location.search).get("code") ?? "";
   const code = h("input", {
     name: "code",
@@ -22,7 +23,7 @@ export function makeJoin(): void {
   const name = h("input", { name: "name", required: true, maxLength: 32, autocomplete: "nickname" });
   const listed = h("select", {
     name: "listed",
-    "aria-label": "Your name",
+    "aria-label": t("Your name"),
     required: true,
     hidden: true,
     disabled: true,
@@ -47,17 +48,17 @@ export function makeJoin(): void {
   const setup = h(
     "p",
     { class: "quiet", hidden: true },
-    "Nobody is set up yet: the door's program has printed a link.",
+    t("Nobody is set up yet: the door's program has printed a link."),
   );
   root.append(
     h(
       "div",
       { class: "narrow" },
       form(
-        "Take a seat",
+        t("Take a seat"),
         [
-          field("Code of the class", code, "six letters, from your instructor"),
-          field("Your name", h("div", {}, name, listed)),
+          field(t("Code of the class"), code, t("six letters, from your instructor")),
+          field(t("Your name"), h("div", {}, name, listed)),
         ],
         async () => {
           await looked;
@@ -71,8 +72,8 @@ export function makeJoin(): void {
       h(
         "p",
         { class: "ways" },
-        h("a", { href: "/login" }, "Instructors log in"),
-        h("a", { href: "/trust" }, "Is this the right machine?"),
+        h("a", { href: "/login" }, t("Instructors log in")),
+        h("a", { href: "/trust" }, t("Is this the right machine?")),
       ),
       setup,
     ),

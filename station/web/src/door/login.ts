@@ -3,30 +3,31 @@
 import { h } from "../kit/dom";
 import { act } from "./ask";
 import { field, form, frame } from "./frame";
+import { t } from "../kit/language";
 
 const nameInput = (): HTMLInputElement =>
   h("input", { name: "name", required: true, maxLength: 32, autocomplete: "username" });
 
 export function makeLogin(): void {
-  const root = frame("Log in");
+  const root = frame(t("Log in"));
   const name = nameInput();
   const password = h("input", { name: "password", type: "password", required: true, autocomplete: "current-password" });
   root.append(
     h(
       "div",
       { class: "narrow" },
-      form("Log in", [field("Name", name), field("Password", password)], async () => {
+      form(t("Log in"), [field(t("Name"), name), field(t("Password"), password)], async () => {
         await act("login", { name: name.value, password: password.value });
         location.assign("/class");
       }),
-      h("p", { class: "ways" }, h("a", { href: "/" }, "Join a class as a trainee")),
+      h("p", { class: "ways" }, h("a", { href: "/" }, t("Join a class as a trainee"))),
     ),
   );
   name.focus();
 }
 
 export function makeSetup(): void {
-  const root = frame("Set up");
+  const root = frame(t("Set up"));
   const token = new URLSearchParams(location.hash.slice(1)).get("token") ?? "";
   history.replaceState(null, "", location.pathname); // it is nobody's who looks over a shoulder
   const name = nameInput();
@@ -42,16 +43,16 @@ export function makeSetup(): void {
     h(
       "div",
       { class: "narrow" },
-      h("p", {}, "The first owner lets other instructors in, makes classes, and looks after this machine's log."),
+      h("p", {}, t("The first owner lets other instructors in, makes classes, and looks after this machine's log.")),
       form(
-        "Set up",
+        t("Set up"),
         [
-          field("Your name", name),
-          field("Password", password, "10 characters at least"),
-          field("The password again", again),
+          field(t("Your name"), name),
+          field(t("Password"), password, t("10 characters at least")),
+          field(t("The password again"), again),
         ],
         async () => {
-          if (password.value !== again.value) throw new Error("The two passwords differ");
+          if (password.value !== again.value) throw new Error(t("The two passwords differ"));
           await act("setup", { token, name: name.value, password: password.value });
           location.assign("/class");
         },

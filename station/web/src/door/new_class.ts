@@ -4,15 +4,16 @@ import { h } from "../kit/dom";
 import { type Classes, act, ask } from "./ask";
 import { field, form } from "./frame";
 import { namesOf } from "./names";
+import { t } from "../kit/language";
 
 interface Lessons {
   files: { name: string; title: string; lesson: string | null }[];
 }
 
 const crews: [number, string][] = [
-  [1, "one: both seats"],
-  [2, "two: forecastle and bridge"],
-  [3, "three: and one who watches"],
+  [1, t("one: both seats")],
+  [2, t("two: forecastle and bridge")],
+  [3, t("three: and one who watches")],
 ];
 
 export function newClass(opened: (classes: Classes) => void): HTMLElement {
@@ -38,15 +39,15 @@ export function newClass(opened: (classes: Classes) => void): HTMLElement {
   return h(
     "div",
     { class: "narrow" },
-    h("h2", {}, "New class"),
+    h("h2", {}, t("New class")),
     form(
-      "Open the class",
+      t("Open the class"),
       [
-        field("Name of the class", name, "exercises are called NAME-1, NAME-2 and so on"),
-        field("Lesson", lesson),
-        field("Exercises", count),
-        field("Trainees to each", crew),
-        field("Names", list, "a file (CSV) with a name to a line: then nobody else may join"),
+        field(t("Name of the class"), name, t("exercises are called NAME-1, NAME-2 and so on")),
+        field(t("Lesson"), lesson),
+        field(t("Exercises"), count),
+        field(t("Trainees to each"), crew),
+        field(t("Names"), list, t("a file (CSV) with a name to a line: then nobody else may join")),
       ],
       async () =>
         opened(

@@ -3,20 +3,21 @@
 import { h } from "../kit/dom";
 import { act, ask } from "./ask";
 import { field, form, frame } from "./frame";
+import { t, translated } from "../kit/language";
 
 interface People {
   people: { name: string; rank: string }[];
 }
 
 const ranks: [string, string][] = [
-  ["instructor", "classes, orders, faults"],
-  ["assessor", "looks on, marks too"],
-  ["observer", "looks on"],
-  ["owner", "and lets others in"],
+  ["instructor", t("classes, orders, faults")],
+  ["assessor", t("looks on, marks too")],
+  ["observer", t("looks on")],
+  ["owner", t("and lets others in")],
 ];
 
 export async function makePeople(): Promise<void> {
-  const root = frame("People", h("a", { href: "/class" }, "Class"));
+  const root = frame(t("People"), h("a", { href: "/class" }, t("Class")));
   const list = h("ul", { class: "people" });
   const show = ({ people }: People): void =>
     list.replaceChildren(
@@ -25,7 +26,7 @@ export async function makePeople(): Promise<void> {
           "li",
           {},
           h("strong", {}, name),
-          h("span", { class: "quiet" }, rank),
+          h("span", { class: "quiet" }, translated(rank)),
           h(
             "button",
             {
@@ -33,22 +34,30 @@ export async function makePeople(): Promise<void> {
               onclick: () =>
                 act<People>("people", { do: "remove", name }).then(show, (why: Error) => alert(why.message)),
             },
-            "Remove",
+            t("Remove"),
           ),
         ),
       ),
     );
   const name = h("input", { required: true, maxLength: 32, autocomplete: "off" });
   const password = h("input", { type: "password", required: true, minLength: 10, autocomplete: "new-password" });
-  const rank = h("select", {}, ...ranks.map(([value, what]) => h("option", { value }, `${value}: ${what}`)));
+  const rank = h(
+    "select",
+    {},
+    ...ranks.map(([value, what]) => h("option", { value }, `${translated(value)}: ${what}`)),
+  );
   root.append(
     h(
       "div",
       { class: "narrow" },
       list,
       form(
-        "Let in",
-        [field("Name", name), field("Rank", rank), field("First password", password, "10 characters at least")],
+        t("Let in"),
+        [
+          field(t("Name"), name),
+          field(t("Rank"), rank),
+          field(t("First password"), password, t("10 characters at least")),
+        ],
         async () => {
           show(
             await act<People>("people", { do: "put", name: name.value, rank: rank.value, password: password.value }),

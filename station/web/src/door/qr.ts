@@ -3,6 +3,7 @@
 import { generate } from "lean-qr";
 
 import { svg } from "../kit/dom";
+import { t } from "../kit/language";
 
 /** A square of SVG with a quiet zone around it, dark on light whatever the palette. */
 export function qr(text: string): SVGSVGElement {
@@ -14,7 +15,7 @@ export function qr(text: string): SVGSVGElement {
   const side = code.size + 2 * quiet;
   return svg(
     "svg",
-    { viewBox: `0 0 ${side} ${side}`, class: "qr", role: "img", "aria-label": "QR code of the address" },
+    { viewBox: `0 0 ${side} ${side}`, class: "qr", role: "img", "aria-label": t("QR code of the address") },
     svg("rect", { width: side, height: side, fill: "#fff" }),
     svg("path", { d: path, fill: "#000", "shape-rendering": "crispEdges" }),
   );

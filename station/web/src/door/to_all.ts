@@ -4,13 +4,14 @@ import { faultForm } from "../desk/fault_form";
 import { faults } from "../desk/fault_words";
 import { h } from "../kit/dom";
 import type { OrderSample } from "../wire/connection";
+import { t, translated } from "../kit/language";
 
 /** Resolves whether it was taken. */
 export type Give = (topic: "FaultCommand" | "BridgeOrderCommand", sample: OrderSample) => Promise<boolean>;
 
 /** Buttons, each with a dialog of its own, which closes once what it gives was taken; refuse: what cannot be sent. */
 export function toAll(give: Give, refuse: (text: string) => void): HTMLElement[] {
-  return [button("Fault to all", faultDialog(give, refuse)), button("Say to all", wordsDialog(give))];
+  return [button(t("Fault to all"), faultDialog(give, refuse)), button(t("Say to all"), wordsDialog(give))];
 }
 
 function button(text: string, dialog: HTMLDialogElement): HTMLElement {
@@ -28,13 +29,13 @@ function button(text: string, dialog: HTMLDialogElement): HTMLElement {
 }
 
 const closing = (dialog: () => HTMLDialogElement): HTMLElement =>
-  h("button", { class: "plain", type: "button", onclick: () => dialog().close() }, "Close");
+  h("button", { class: "plain", type: "button", onclick: () => dialog().close() }, t("Close"));
 
 function faultDialog(give: Give, refuse: (text: string) => void): HTMLDialogElement {
   const which = h(
     "select",
-    { "aria-label": "fault", onchange: () => choose() },
-    ...faults.map((fault) => h("option", { value: fault.const }, fault.said)),
+    { "aria-label": t("fault"), onchange: () => choose() },
+    ...faults.map((fault) => h("option", { value: fault.const }, translated(fault.said))),
   );
   const form = h("div", {});
   const give1 = async (sample: OrderSample): Promise<void> => {
@@ -51,13 +52,13 @@ function faultDialog(give: Give, refuse: (text: string) => void): HTMLDialogElem
           type: "button",
           onclick: () => void give1({ code: fault.enumerator, clear: true }),
         },
-        "Clear it everywhere",
+        t("Clear it everywhere"),
       ),
     );
   };
   const dialog: HTMLDialogElement = h(
     "dialog",
-    { class: "to-all", "aria-label": "a fault to all" },
+    { class: "to-all", "aria-label": t("a fault to all") },
     h(
       "header",
       {},
@@ -71,7 +72,7 @@ function faultDialog(give: Give, refuse: (text: string) => void): HTMLDialogElem
 }
 
 function wordsDialog(give: Give): HTMLDialogElement {
-  const words = h("input", { "aria-label": "words to all", maxLength: 256, required: true });
+  const words = h("input", { "aria-label": t("words to all"), maxLength: 256, required: true });
   const send = async (event: Event): Promise<void> => {
     event.preventDefault();
     const sample = { code: "BRIDGE_ORDER_TEXT", side: -1, text: words.value.trim() };
@@ -81,16 +82,16 @@ function wordsDialog(give: Give): HTMLDialogElement {
   };
   const dialog: HTMLDialogElement = h(
     "dialog",
-    { class: "to-all", "aria-label": "words to all" },
+    { class: "to-all", "aria-label": t("words to all") },
     h(
       "form",
       { onsubmit: (event: Event) => void send(event) },
-      h("p", {}, "The bridge says it to every forecastle, where the VHF works."),
+      h("p", {}, t("The bridge says it to every forecastle, where the VHF works.")),
       words,
       h(
         "div",
         { class: "bar" },
-        h("button", { class: "primary" }, "Say it"),
+        h("button", { class: "primary" }, t("Say it")),
         closing(() => dialog),
       ),
     ),

@@ -3,6 +3,7 @@
 import { h } from "../kit/dom";
 import { type Me, ask } from "./ask";
 import { frame } from "./frame";
+import { t } from "../kit/language";
 
 const fingerprint = (name: string, text: string): HTMLElement =>
   h(
@@ -13,40 +14,44 @@ const fingerprint = (name: string, text: string): HTMLElement =>
   );
 
 const ways: [string, string][] = [
-  ["Windows", "open the file, Install Certificate, Local Machine, into Trusted Root Certification Authorities"],
+  ["Windows", t("open the file, Install Certificate, Local Machine, into Trusted Root Certification Authorities")],
   [
     "iPad, iPhone",
-    "open the file, then Settings, Profile Downloaded, Install; then General, About, Certificate Trust Settings: on",
+    t("open the file, then Settings, Profile Downloaded, Install; then General, About, Certificate Trust Settings: on"),
   ],
-  ["Android", "Settings, Security, Install a certificate, CA certificate, and choose the file"],
-  ["Firefox", "Settings, Certificates, View Certificates, Authorities, Import, for websites"],
+  ["Android", t("Settings, Security, Install a certificate, CA certificate, and choose the file")],
+  ["Firefox", t("Settings, Certificates, View Certificates, Authorities, Import, for websites")],
   [
     "Linux",
-    "into /usr/local/share/ca-certificates, then update-ca-certificates; Chromium: Settings, Certificates, Import",
+    t("into /usr/local/share/ca-certificates, then update-ca-certificates; Chromium: Settings, Certificates, Import"),
   ],
 ];
 
 export async function makeTrust(): Promise<void> {
-  const root = frame("Is this the right machine?");
+  const root = frame(t("Is this the right machine?"));
   const me = await ask<Me>("me");
   const text = h("div", { class: "narrow text" });
   text.append(
     h(
       "p",
       {},
-      "The instructor's screen and the program's start show the same fingerprint. " +
-        "If yours is another one, somebody stands between: do not go on.",
+      t(
+        "The instructor's screen and the program's start show the same fingerprint. " +
+          "If yours is another one, somebody stands between: do not go on.",
+      ),
     ),
-    fingerprint("This machine's certificate, SHA-256", me.fingerprint),
+    fingerprint(t("This machine's certificate, SHA-256"), me.fingerprint),
   );
   if (me.own_authority)
     text.append(
-      fingerprint("Its authority, SHA-256", me.authority_fingerprint),
+      fingerprint(t("Its authority, SHA-256"), me.authority_fingerprint),
       h(
         "p",
         {},
-        "This machine has an authority of its own, which no browser knows: it warns until it is taught. " +
-          "The authority can vouch for nothing but this machine's names and addresses in private networks.",
+        t(
+          "This machine has an authority of its own, which no browser knows: it warns until it is taught. " +
+            "The authority can vouch for nothing but this machine's names and addresses in private networks.",
+        ),
       ),
       h(
         "p",
@@ -54,7 +59,7 @@ export async function makeTrust(): Promise<void> {
         h(
           "a",
           { class: "button", href: "/authority.crt", download: "windlass-authority.crt" },
-          "Download the authority's certificate",
+          t("Download the authority's certificate"),
         ),
       ),
       h("dl", {}, ...ways.flatMap(([system, way]) => [h("dt", {}, system), h("dd", {}, way)])),
@@ -64,9 +69,9 @@ export async function makeTrust(): Promise<void> {
       h(
         "p",
         {},
-        "This machine has a certificate of the house: a browser that knows the house's authority does not warn.",
+        t("This machine has a certificate of the house: a browser that knows the house's authority does not warn."),
       ),
     );
-  text.append(h("p", { class: "ways" }, h("a", { href: "/" }, "Back")));
+  text.append(h("p", { class: "ways" }, h("a", { href: "/" }, t("Back"))));
   root.append(text);
 }

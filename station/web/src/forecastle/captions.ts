@@ -3,19 +3,20 @@
 import { AnchorSeen, ClutchState, type ForecastleView } from "../wire/generated";
 import { h, setText } from "../kit/dom";
 import { saidOf } from "../kit/words";
+import { t } from "../kit/language";
 
 const kKeep = 1500; // ms that a line stays, so that what flickers can be read
 const kBeaufortHeard = 5; // from which the wind is loud on deck
 
-const noises = ["", "brake rubs", "brake squeals", "brake screams"];
-const tremors = ["", "deck trembles", "deck shakes", "deck bangs"];
+const noises = ["", t("brake rubs"), t("brake squeals"), t("brake screams")];
+const tremors = ["", t("deck trembles"), t("deck shakes"), t("deck bangs")];
 
 /** How chain that runs at that speed, m/s, sounds; empty: it stands. */
 export function chainWords(speed: number): string {
   const way = Math.abs(speed);
   if (way < 0.02) return "";
-  if (way < 0.5) return speed > 0 ? "chain walks out" : "chain comes in";
-  return way < 3 ? "chain runs" : way < 6 ? "chain runs fast" : "chain runs away";
+  if (way < 0.5) return speed > 0 ? t("chain walks out") : t("chain comes in");
+  return way < 3 ? t("chain runs") : way < 6 ? t("chain runs fast") : t("chain runs away");
 }
 
 /**
@@ -24,17 +25,20 @@ export function chainWords(speed: number): string {
  */
 export function perceived(view: ForecastleView, cableSpeed: number, hydraulic: boolean): Record<string, string> {
   const motor = Math.abs(view.motor_speed_heard);
-  const turns = motor < 0.05 ? "" : `${hydraulic ? "pump" : "motor"} ${motor < 0.4 ? "turns slowly" : "hums"}`;
+  const slow = motor < 0.4;
+  const pump = slow ? t("pump turns slowly") : t("pump hums");
+  const electric = slow ? t("motor turns slowly") : t("motor hums");
+  const turns = motor < 0.05 ? "" : hydraulic ? pump : electric;
   return {
-    motor: view.motor_burst ? "the motor has burst" : motor > 1.05 ? "the motor sings: overhauled" : turns,
+    motor: view.motor_burst ? t("the motor has burst") : motor > 1.05 ? t("the motor sings: overhauled") : turns,
     lining: saidOf("LiningSeen", view.lining),
-    gypsy: view.gypsy_jumping ? "links jump over the gypsy" : "",
+    gypsy: view.gypsy_jumping ? t("links jump over the gypsy") : "",
     chain: chainWords(cableSpeed),
     brake: noises[view.brake_noise] ?? "",
-    clutch: view.clutch === ClutchState.CLUTCH_ENGAGING ? "clutch clatters" : "",
+    clutch: view.clutch === ClutchState.CLUTCH_ENGAGING ? t("clutch clatters") : "",
     deck: tremors[view.vibration] ?? "",
-    anchor: view.anchor === AnchorSeen.ANCHOR_SEEN_FOUL ? "anchor is foul" : "",
-    wind: view.wind_felt >= kBeaufortHeard ? `wind, force ${view.wind_felt}` : "",
+    anchor: view.anchor === AnchorSeen.ANCHOR_SEEN_FOUL ? t("anchor is foul") : "",
+    wind: view.wind_felt >= kBeaufortHeard ? t("wind, force {force}", { force: view.wind_felt }) : "",
   };
 }
 
@@ -42,7 +46,7 @@ export class Captions {
   readonly element = h("ul", {
     class: "captions",
     "aria-live": "polite",
-    "aria-label": "what is heard, smelt and felt",
+    "aria-label": t("what is heard, smelt and felt"),
   });
   private readonly seen = new Map<string, { line: HTMLElement; at: number }>();
 

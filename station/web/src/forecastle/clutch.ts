@@ -4,6 +4,7 @@ import type { WindlassLevers } from "../wire/connection";
 import { ClutchState, type ForecastleView } from "../wire/generated";
 import { h, setAttribute, setText, svg } from "../kit/dom";
 import { HoldGuard } from "../kit/hold_button";
+import { t } from "../kit/language";
 
 /** ms that clutch and stopper are held before they act. */
 export const kHoldTime = 600;
@@ -25,11 +26,11 @@ function teeth(way: number): string {
 /** Why the clutch is not where its lever is; empty: it is. */
 export function clutchReason(levers: WindlassLevers, view: ForecastleView, gypsyTurns: boolean): string {
   if (levers.clutch_in && view.clutch !== ClutchState.CLUTCH_IN) {
-    if (gypsyTurns) return "does not go in: the gypsy turns";
-    if (Math.abs(view.motor_speed_heard) > 5 * kTurning) return "does not go in: the motor turns too fast";
-    return "teeth not in line: turn the motor dead slow";
+    if (gypsyTurns) return t("does not go in: the gypsy turns");
+    if (Math.abs(view.motor_speed_heard) > 5 * kTurning) return t("does not go in: the motor turns too fast");
+    return t("teeth not in line: turn the motor dead slow");
   }
-  if (!levers.clutch_in && view.clutch === ClutchState.CLUTCH_IN) return "under load: take the load with the brake";
+  if (!levers.clutch_in && view.clutch === ClutchState.CLUTCH_IN) return t("under load: take the load with the brake");
   return "";
 }
 
@@ -46,12 +47,12 @@ export class Clutch {
   constructor(toggle: () => void) {
     this.gypsySide = svg("g", {}, svg("path", { d: teeth(1), class: "gypsy-teeth" }));
     this.shaftSide = svg("g", {}, svg("path", { d: teeth(-1), class: "shaft-teeth" }));
-    this.button = h("button", { class: "guarded", role: "switch", "aria-label": "clutch", title: "key c, held" });
+    this.button = h("button", { class: "guarded", role: "switch", "aria-label": t("clutch"), title: t("key c, held") });
     this.guard = new HoldGuard(this.button, () => kHoldTime, toggle);
     this.element = h(
       "section",
-      { class: "control clutch", "aria-label": "clutch" },
-      h("div", { class: "row" }, h("h2", {}, "Clutch"), this.state),
+      { class: "control clutch", "aria-label": t("clutch") },
+      h("div", { class: "row" }, h("h2", {}, t("Clutch")), this.state),
       svg("svg", { viewBox: "0 -36 104 72", class: "window", "aria-hidden": "true" }, this.gypsySide, this.shaftSide),
       this.button,
       this.reason,
@@ -66,8 +67,8 @@ export class Clutch {
     const gap = engaged ? 0 : seeking ? 8 : 16;
     setAttribute(this.gypsySide, "transform", `translate(0 ${-7 - gap / 2})`);
     setAttribute(this.shaftSide, "transform", `translate(${(offset * kPitch).toFixed(1)} ${7 + gap / 2})`);
-    setText(this.state, engaged ? "IN" : seeking ? "SEEKING" : "OUT");
-    setText(this.button, levers.clutch_in ? "Hold: take out" : "Hold: put in");
+    setText(this.state, engaged ? t("IN") : seeking ? t("SEEKING") : t("OUT"));
+    setText(this.button, levers.clutch_in ? t("Hold: take out") : t("Hold: put in"));
     setAttribute(this.button, "aria-checked", `${levers.clutch_in}`);
     setText(this.reason, clutchReason(levers, view, gypsyTurns));
     this.button.disabled = !movable;

@@ -1,6 +1,8 @@
 // What the axes and buttons of a controller do: of a gamepad, a joystick, or a hand-wheel that presents itself as one.
 // Nothing here touches the browser but the memory, which is kept by device.
 
+import { t } from "../kit/language";
+
 /** What of the Gamepad API is read. */
 export interface Pad {
   axes: readonly number[];
@@ -15,20 +17,20 @@ export type Kind = "turn" | "way" | "push" | "press";
 
 /** What can be moved, in the order of the dialog. */
 export const controls = {
-  wheel: { kind: "turn", name: "hand-wheel, turned as it is" },
-  on: { kind: "push", name: "brake on, by rate" },
-  off: { kind: "push", name: "brake off, by rate" },
-  fine: { kind: "way", name: "brake on and off, fine" },
-  speed: { kind: "way", name: "speed lever" },
-  clutch: { kind: "press", name: "clutch (held)" },
-  stopper: { kind: "press", name: "stopper (held)" },
-  stop: { kind: "press", name: "emergency stop" },
-  side: { kind: "press", name: "the other windlass" },
-  choose: { kind: "press", name: "repeat the order, or choose" },
-  next: { kind: "press", name: "next report" },
-  back: { kind: "press", name: "report before" },
-  acknowledge: { kind: "press", name: "acknowledge" },
-  help: { kind: "press", name: "help" },
+  wheel: { kind: "turn", name: t("hand-wheel, turned as it is") },
+  on: { kind: "push", name: t("brake on, by rate") },
+  off: { kind: "push", name: t("brake off, by rate") },
+  fine: { kind: "way", name: t("brake on and off, fine") },
+  speed: { kind: "way", name: t("speed lever") },
+  clutch: { kind: "press", name: t("clutch (held)") },
+  stopper: { kind: "press", name: t("stopper (held)") },
+  stop: { kind: "press", name: t("emergency stop") },
+  side: { kind: "press", name: t("the other windlass") },
+  choose: { kind: "press", name: t("repeat the order, or choose") },
+  next: { kind: "press", name: t("next report") },
+  back: { kind: "press", name: t("report before") },
+  acknowledge: { kind: "press", name: t("acknowledge") },
+  help: { kind: "press", name: t("help") },
 } as const satisfies Record<string, { kind: Kind; name: string }>;
 export type Control = keyof typeof controls;
 export const controlNames = Object.keys(controls) as Control[];

@@ -16,13 +16,14 @@ import {
   withLearned,
 } from "./controller";
 import { connectedPads } from "./gamepad";
+import { t } from "../kit/language";
 
 /** What to do while a control is learned. */
 const asks = {
-  turn: "turn it clockwise from one end to the other",
-  way: "move it all the way to on or heave, then the other way",
-  push: "press it all the way",
-  press: "press it",
+  turn: t("turn it clockwise from one end to the other"),
+  way: t("move it all the way to on or heave, then the other way"),
+  push: t("press it all the way"),
+  press: t("press it"),
 } as const;
 
 interface Row {
@@ -35,11 +36,11 @@ interface Row {
 
 export class ControllerDialog {
   readonly element: HTMLDialogElement;
-  private readonly devices = h("select", { "aria-label": "controller", onchange: () => this.fill() });
+  private readonly devices = h("select", { "aria-label": t("controller"), onchange: () => this.fill() });
   private readonly none = h(
     "p",
     {},
-    "No controller is heard of. Plug it in and press one of its buttons: a browser tells of it only then.",
+    t("No controller is heard of. Plug it in and press one of its buttons: a browser tells of it only then."),
   );
   private readonly vibrates = h("input", { type: "checkbox", onchange: () => this.keep(this.settings().mapping) });
   private readonly rows: Record<Control, Row>;
@@ -57,19 +58,19 @@ export class ControllerDialog {
         "div",
         { class: "row" },
         this.devices,
-        h("label", {}, this.vibrates, " vibrates"),
-        h("button", { class: "plain", onclick: () => this.forget() }, "Forget what it was taught"),
+        h("label", {}, this.vibrates, ` ${t("vibrates")}`),
+        h("button", { class: "plain", onclick: () => this.forget() }, t("Forget what it was taught")),
       ),
       h("table", { class: "taught" }, h("tbody", {}, ...controlNames.map((control) => this.rows[control].element))),
     );
     this.element = h(
       "dialog",
-      { class: "controller panel", "aria-label": "controllers", onclose: () => (this.learning = undefined) },
+      { class: "controller panel", "aria-label": t("controllers"), onclose: () => (this.learning = undefined) },
       h(
         "div",
         { class: "row" },
-        h("h2", {}, "Controllers"),
-        h("button", { class: "plain", onclick: () => this.element.close() }, "Close"),
+        h("h2", {}, t("Controllers")),
+        h("button", { class: "plain", onclick: () => this.element.close() }, t("Close")),
       ),
       this.none,
       this.say,
@@ -105,7 +106,7 @@ export class ControllerDialog {
     const { mapping } = this.settings();
     for (const control of controlNames) {
       const values = mapping.filter((one) => one.control === control).map((one) => valueOf(one, pad) / span(one));
-      setVariable(this.rows[control].meter, "--at", figure(Math.max(0, ...values.map(Math.abs)), 3));
+      setVariable(this.rows[control].meter, "--at", Math.max(0, ...values.map(Math.abs)).toFixed(3));
     }
   }
 
@@ -172,7 +173,7 @@ export class ControllerDialog {
       const of = mapping.filter((one) => one.control === control);
       setText(row.from, of.map(sourceWords).join("; ") || "\u2013");
       const learning = this.learning?.control === control;
-      setText(row.learn, learning ? "Done" : "Learn");
+      setText(row.learn, learning ? t("Done") : t("Learn"));
       setAttribute(row.learn, "aria-pressed", `${learning}`);
       row.more.replaceChildren(...(of.length === 1 ? this.more(of[0]!) : []));
     }
@@ -184,8 +185,8 @@ export class ControllerDialog {
     const meter = h("i", { class: "meter", "aria-hidden": "true" });
     const learn = h(
       "button",
-      { class: "plain", "aria-label": `learn ${name}`, onclick: () => this.begin(control) },
-      "Learn",
+      { class: "plain", "aria-label": t("learn {name}", { name }), onclick: () => this.begin(control) },
+      t("Learn"),
     );
     const more = h("span", { class: "row" });
     const cells = [meter, from, learn, more].map((cell) => h("td", {}, cell));
@@ -210,12 +211,12 @@ export class ControllerDialog {
     };
     const invert = h(
       "button",
-      { class: "plain", "aria-label": `invert ${name}`, onclick: () => change(inverted(one)) },
-      "Invert",
+      { class: "plain", "aria-label": t("invert {name}", { name }), onclick: () => change(inverted(one)) },
+      t("Invert"),
     );
     if (kind === "press") return [];
     if (kind !== "turn")
-      return [invert, number("dead zone, %", Math.round(100 * one.dead), 90, (v) => ({ ...one, dead: v / 100 }))];
+      return [invert, number(t("dead zone, %"), Math.round(100 * one.dead), 90, (v) => ({ ...one, dead: v / 100 }))];
     const endless = h("input", {
       type: "checkbox",
       checked: one.endless,
@@ -223,8 +224,8 @@ export class ControllerDialog {
     });
     return [
       invert,
-      number("turns from end to end", one.turns, 100, (turns) => ({ ...one, turns: turns || one.turns })),
-      h("label", {}, endless, " goes round"),
+      number(t("turns from end to end"), one.turns, 100, (turns) => ({ ...one, turns: turns || one.turns })),
+      h("label", {}, endless, ` ${t("goes round")}`),
     ];
   }
 }
@@ -235,7 +236,8 @@ const span = ({ control, turns }: Assignment): number => (controls[control].kind
 /** "axis 2, -1.00 to 1.00"; axes and buttons are counted from 1. */
 const sourceWords = ({ source, index, from, rest, to, control }: Assignment): string => {
   const { kind } = controls[control];
-  const ends =
-    source === "axis" ? `, ${figure(kind === "push" || kind === "press" ? rest : from, 2)} to ${figure(to, 2)}` : "";
-  return `${source} ${index + 1}${ends}`;
+  const number = index + 1;
+  if (source === "button") return t("button {number}", { number });
+  const begin = figure(kind === "push" || kind === "press" ? rest : from, 2);
+  return t("axis {number}, {begin} to {end}", { number, begin, end: figure(to, 2) });
 };

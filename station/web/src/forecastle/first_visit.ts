@@ -4,6 +4,7 @@
 import { h, setAttribute, setText, svg } from "../kit/dom";
 import { orderLabel } from "../kit/words";
 import { BridgeOrderCode } from "../wire/generated";
+import { t } from "../kit/language";
 
 const kOrder = orderLabel(BridgeOrderCode.BRIDGE_ORDER_LET_GO); // for example
 const kSeen = "windlass.first_visit";
@@ -21,10 +22,11 @@ const word = (x: number, y: number, text: string): SVGElement => svg("text", { x
 
 const steps: readonly Step[] = [
   {
-    title: "Look",
-    text:
+    title: t("Look"),
+    text: t(
       "You stand at the windlass. The buttons on the picture, or the keys 1 to 4, take you over the bow, to the " +
-      "brake and aft. How the cable leads you see over the bow; how fast it runs you hear from where you stand.",
+        "brake and aft. How the cable leads you see over the bow; how fast it runs you hear from where you stand.",
+    ),
     part: "scene",
     picture: () => [
       line("M 8 22 L 96 22 L 74 66 L 8 66", "hull"),
@@ -35,10 +37,11 @@ const steps: readonly Step[] = [
     ],
   },
   {
-    title: "Answer",
-    text:
+    title: t("Answer"),
+    text: t(
       "Orders from the bridge come here. Repeat says one back; where it has a figure, you say the figure as you " +
-      "understood it.",
+        "understood it.",
+    ),
     part: "heard",
     picture: () => [
       line("M 10 12 h 84 v 30 h -60 l -12 12 v -12 h -12 Z"),
@@ -48,11 +51,12 @@ const steps: readonly Step[] = [
     ],
   },
   {
-    title: "Work",
-    text:
+    title: t("Work"),
+    text: t(
       "The first lever that you touch takes the windlass, with all levers as they were found. Turn the wheel round " +
-      "its hub: with the clutch out and the stopper off it alone holds the cable. Hold the buttons of clutch and " +
-      "stopper until they move; the speed lever springs back. The button on top with the units gives others.",
+        "its hub: with the clutch out and the stopper off it alone holds the cable. Hold the buttons of clutch and " +
+        "stopper until they move; the speed lever springs back. The button on top with the units gives others.",
+    ),
     part: "stand",
     picture: () => [
       svg("circle", { cx: 54, cy: 52, r: 36, class: "wheel" }),
@@ -64,10 +68,11 @@ const steps: readonly Step[] = [
     ],
   },
   {
-    title: "Report",
-    text:
+    title: t("Report"),
+    text: t(
       "The bridge sees nothing of the cable: it orders by what you say. The pad shows what the work asks for, the " +
-      "other leaves are a touch away. The button ? has all keys, and these pictures again.",
+        "other leaves are a touch away. The button ? has all keys, and these pictures again.",
+    ),
     part: "reports",
     picture: () => [
       ...[0, 1, 2, 3, 4, 5].map((i) =>
@@ -99,7 +104,7 @@ export class FirstVisit {
   private readonly title = h("h2", {});
   private readonly text = h("p", {});
   private readonly picture = svg("svg", { viewBox: "0 0 160 104", "aria-hidden": "true" });
-  private readonly back = h("button", { class: "plain", onclick: () => this.show(this.at - 1) }, "Back");
+  private readonly back = h("button", { class: "plain", onclick: () => this.show(this.at - 1) }, t("Back"));
   private readonly next = h("button", { class: "plain primary", onclick: () => this.goOn() });
   private at = 0;
 
@@ -107,13 +112,13 @@ export class FirstVisit {
   constructor(private readonly page: HTMLElement) {
     this.element = h(
       "section",
-      { class: "first-visit panel", "aria-label": "first visit", hidden: true },
+      { class: "first-visit panel", "aria-label": t("first visit"), hidden: true },
       this.picture,
       h("div", { class: "words", "aria-live": "polite" }, this.title, this.text),
       h(
         "div",
         { class: "row" },
-        h("button", { class: "plain skip", onclick: () => this.close() }, "Put away"),
+        h("button", { class: "plain skip", onclick: () => this.close() }, t("Put away")),
         this.back,
         this.next,
       ),
@@ -145,11 +150,11 @@ export class FirstVisit {
     this.at = at;
     const { title, text, part, picture } = steps[at]!;
     this.element.hidden = false;
-    setText(this.title, `${at + 1} of ${steps.length}: ${title}`);
+    setText(this.title, t("{at} of {all}: {title}", { at: at + 1, all: steps.length, title }));
     setText(this.text, text);
     this.picture.replaceChildren(...picture());
     this.back.disabled = at === 0;
-    setText(this.next, at === steps.length - 1 ? "Done" : "Next");
+    setText(this.next, at === steps.length - 1 ? t("Done") : t("Next"));
     this.point(part);
   }
 

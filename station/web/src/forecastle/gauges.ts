@@ -4,7 +4,19 @@ import type { ForecastleView, SceneTackle } from "../wire/generated";
 import { h, setAttribute, setShown, setText, svg } from "../kit/dom";
 import { LoadScale, loadScales } from "../kit/load_scale";
 import { gaugeMeasured } from "../kit/measured";
-import { cableSpeeds, celsius, figure, kTonne, loads, measures, scaleEnd, scaleStep, shackles } from "../kit/units";
+import {
+  cableSpeeds,
+  celsius,
+  figure,
+  kTonne,
+  loads,
+  measures,
+  scaleEnd,
+  scaleStep,
+  shackles,
+  unitWritten,
+} from "../kit/units";
+import { t } from "../kit/language";
 
 const kBeginning = -210; // degrees clockwise from the right, where a dial's scale begins
 const kSweep = 240;
@@ -56,7 +68,7 @@ export class Dial {
 
   /** Says to what the scale goes, plainly when that has just changed: for a dial of more than one scale. */
   showRange(end: number, unit: string): void {
-    const text = `, scale to ${end} ${unit}`;
+    const text = t(", scale to {end} {unit}", { end: figure(end, end % 1 ? 1 : 0), unit });
     if (this.range.textContent === text) return;
     if (this.range.textContent) {
       setAttribute(this.element, "data-changed", "");
@@ -85,8 +97,8 @@ export class Dial {
     this.show(0, end, unit, 0, limit);
     setAttribute(this.element, "data-unmeasured", "");
     setText(this.value, "");
-    setText(this.unit, "not measured yet");
-    setAttribute(this.element, "aria-valuetext", "not measured yet");
+    setText(this.unit, t("not measured yet"));
+    setAttribute(this.element, "aria-valuetext", t("not measured yet"));
     setAttribute(this.element, "data-over", undefined);
   }
 
@@ -118,6 +130,12 @@ export class Dial {
 }
 
 const kLamps = ["power", "ready", "trip", "e-stop"] as const;
+const lampWords: Record<Lamp, string> = {
+  power: t("power|lamp"),
+  ready: t("ready|lamp"),
+  trip: t("trip|lamp"),
+  "e-stop": t("e-stop|lamp"),
+};
 type Lamp = (typeof kLamps)[number];
 
 export class Gauges {
@@ -128,31 +146,31 @@ export class Gauges {
   private readonly counter: HTMLElement;
   private readonly load: Dial;
   private loadScale = new LoadScale();
-  private readonly motor = new Dial("motor");
+  private readonly motor = new Dial(t("motor"));
   private readonly lamps = new Map<Lamp, HTMLElement>();
   private readonly aid = h("p", { class: "quiet aid", hidden: true });
   private lastDigits = -Infinity;
-  private readonly rateUnit = h("span", {}, cableSpeeds.unit.written);
+  private readonly rateUnit = h("span", {}, unitWritten(cableSpeeds.unit));
 
   constructor() {
     const reading = (value: HTMLElement, unit: Node | string): HTMLElement =>
       h("div", { class: "reading" }, value, h("span", { class: "unit" }, unit));
     this.counter = h(
       "div",
-      { class: "counter", role: "group", "aria-label": "chain counter" },
-      h("h2", {}, "Counter"),
+      { class: "counter", role: "group", "aria-label": t("chain counter") },
+      h("h2", {}, t("Counter")),
       reading(this.metres, "m"),
-      reading(this.lengths, "shackles"),
+      reading(this.lengths, t("shackles")),
       reading(this.rate, this.rateUnit),
     );
-    this.load = new Dial("gypsy load", () => loads.next());
-    this.load.element.title = "touch: another unit";
+    this.load = new Dial(t("gypsy load"), () => loads.next());
+    this.load.element.title = t("touch: another unit");
     for (const measure of measures) measure.onChoice(() => this.begin());
     for (const lamp of kLamps)
-      this.lamps.set(lamp, h("span", { class: "lamp", "data-lamp": lamp, role: "img" }, lamp.toUpperCase()));
+      this.lamps.set(lamp, h("span", { class: "lamp", "data-lamp": lamp, role: "img" }, lampWords[lamp].toUpperCase()));
     this.element = h(
       "section",
-      { class: "gauges", "aria-label": "gauges" },
+      { class: "gauges", "aria-label": t("gauges") },
       this.counter,
       h("div", { class: "dials" }, this.load.element, this.motor.element),
       h("div", { class: "lamps" }, ...this.lamps.values()),
@@ -176,7 +194,10 @@ export class Gauges {
     this.showMotor(view, tackle);
     setShown(this.aid, view.lining_temperature_shown);
     if (view.lining_temperature_shown)
-      setText(this.aid, `aid of this exercise: brake lining ${figure(celsius(view.lining_temperature))} \u00b0C`);
+      setText(
+        this.aid,
+        t("aid of this exercise: brake lining {degrees} °C", { degrees: figure(celsius(view.lining_temperature)) }),
+      );
     this.light("power", view.power, false);
     this.light("ready", view.power && !view.tripped && !view.emergency_stop, false);
     this.light("trip", view.tripped, true);
@@ -187,11 +208,11 @@ export class Gauges {
   private begin(): void {
     this.loadScale = new LoadScale();
     this.lastDigits = -Infinity;
-    setText(this.rateUnit, cableSpeeds.unit.written);
+    setText(this.rateUnit, unitWritten(cableSpeeds.unit));
   }
 
   private showLoad(view: ForecastleView, now: number): void {
-    const unit = loads.unit.written;
+    const unit = unitWritten(loads.unit);
     const rating = loads.of(view.brake_rating);
     const load = loads.of(view.gypsy_load_indicated);
     const ends = loadScales(scaleEnd(1.2 * rating), scaleEnd(loads.of(kSmallestScale)));
@@ -215,7 +236,11 @@ export class Gauges {
   private light(name: Lamp, on: boolean, warns: boolean): void {
     const lamp = this.lamps.get(name)!;
     setAttribute(lamp, "data-on", on ? (warns ? "warning" : "yes") : undefined);
-    setAttribute(lamp, "aria-label", `${name} lamp ${on ? "lit" : "dark"}`);
+    setAttribute(
+      lamp,
+      "aria-label",
+      on ? t("{name} lamp lit", { name: lampWords[name] }) : t("{name} lamp dark", { name: lampWords[name] }),
+    );
   }
 }
 

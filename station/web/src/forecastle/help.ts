@@ -2,16 +2,17 @@
 
 import { h } from "../kit/dom";
 import { keyTable } from "./keyboard";
+import { t } from "../kit/language";
 
 const kPad: readonly (readonly [string, string])[] = [
-  ["RT, LT", "brake on, off: the farther the faster"],
-  ["right stick", "brake on, off, finely"],
-  ["left stick", "heave, lower"],
-  ["X, Y (hold)", "clutch, stopper"],
-  ["Back", "emergency stop"],
-  ["LB, RB", "the other windlass"],
-  ["d-pad, A", "choose and make a report; A alone repeats the order back"],
-  ["B, Start", "acknowledge, help"],
+  ["RT, LT", t("brake on, off: the farther the faster")],
+  [t("right stick"), t("brake on, off, finely")],
+  [t("left stick"), t("heave, lower")],
+  [t("X, Y (hold)"), t("clutch, stopper")],
+  ["Back", t("emergency stop")],
+  ["LB, RB", t("the other windlass")],
+  [t("d-pad, A"), t("choose and make a report; A alone repeats the order back")],
+  ["B, Start", t("acknowledge, help")],
 ];
 
 function table(title: string, rows: readonly (readonly [string, string])[]): HTMLElement {
@@ -38,28 +39,29 @@ export class Help {
       h(
         "div",
         { class: "row" },
-        h("h2", {}, "Keys and gamepad"),
-        h("button", { class: "plain", onclick: leadsTo(explain) }, "First steps"),
-        h("button", { class: "plain", onclick: leadsTo(teach) }, "Controllers \u2026"),
-        h("button", { class: "plain", onclick: () => this.element.close() }, "Close"),
+        h("h2", {}, t("Keys and gamepad")),
+        h("button", { class: "plain", onclick: leadsTo(explain) }, t("First steps")),
+        h("button", { class: "plain", onclick: leadsTo(teach) }, t("Controllers \u2026")),
+        h("button", { class: "plain", onclick: () => this.element.close() }, t("Close")),
       ),
-      h("div", { class: "tables" }, table("Keyboard", keyTable), table("Gamepad", kPad)),
+      h("div", { class: "tables" }, table(t("Keyboard"), keyTable), table("Gamepad", kPad)),
       h(
         "p",
         { class: "quiet" },
-        "The first lever that you touch takes the windlass, with every lever as it was found. ",
-        "The brake's hand-wheel turns by dragging round its hub, clockwise on, or by the mouse's wheel; with Shift a ",
-        "fifth of it. Two fingers move two controls. The speed lever springs back ",
-        "when you let go, ",
-        "unless you let the mouse go with Shift held: then it stays until it is touched again.",
+        t(
+          "The first lever that you touch takes the windlass, with every lever as it was found. " +
+            "The brake's hand-wheel turns by dragging round its hub, clockwise on, or by the mouse's wheel; with " +
+            "Shift a fifth of it. Two fingers move two controls. The speed lever springs back when you let go, " +
+            "unless you let the mouse go with Shift held: then it stays until it is touched again.",
+        ),
       ),
       h(
         "p",
         { class: "quiet" },
-        h("a", { href: "/licences.txt", target: "_blank" }, "Licences of what this page is made of"),
+        h("a", { href: "/licences.txt", target: "_blank" }, t("Licences of what this page is made of")),
       ),
     );
-    this.element.setAttribute("aria-label", "keys and gamepad");
+    this.element.setAttribute("aria-label", t("keys and gamepad"));
   }
 
   toggle(): void {

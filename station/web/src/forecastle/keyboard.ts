@@ -1,5 +1,7 @@
 // The keyboard as the hands of the forecastle. Keys that move a lever act while they are held.
 
+import { t } from "../kit/language";
+
 export interface Hands {
   /** Turns the hand-wheel at a share -1..1 of its rate. */
   wheel(share: number): void;
@@ -29,18 +31,18 @@ export interface Hands {
 
 /** What ? shows: keys, what they do. */
 export const keyTable: readonly (readonly [string, string])[] = [
-  ["Up, Down", "brake on, off: tap for 10\u00b0, hold to turn; with Shift a fifth of it"],
-  ["b, 0", "brake hard on, open"],
-  ["Right, Left", "heave, lower while held; with Shift 10 %"],
-  ["x", "speed lever to zero, hand-wheel stops"],
-  ["c, t (hold)", "clutch, stopper"],
-  ["e", "emergency stop; hold 1.5 s to release"],
-  ["p, Tab", "the other windlass; next control"],
-  ["1 to 4", "stand, over the bow, at the brake, aft"],
-  ["r, o", "report, repeat the order back"],
-  ["F2, F3", "acknowledge the topmost alert, silence"],
-  ["m, n, k, l", "sound, palette, captions, hand lamp"],
-  ["?", "this help"],
+  [t("Up, Down"), t("brake on, off: tap for 10\u00b0, hold to turn; with Shift a fifth of it")],
+  ["b, 0", t("brake hard on, open")],
+  [t("Right, Left"), t("heave, lower while held; with Shift 10 %")],
+  ["x", t("speed lever to zero, hand-wheel stops")],
+  [t("c, t (hold)"), t("clutch, stopper")],
+  ["e", t("emergency stop; hold 1.5 s to release")],
+  ["p, Tab", t("the other windlass; next control")],
+  [t("1 to 4"), t("stand, over the bow, at the brake, aft")],
+  ["r, o", t("report, repeat the order back")],
+  ["F2, F3", t("acknowledge the topmost alert, silence")],
+  ["m, n, k, l", t("sound, palette, captions, hand lamp")],
+  ["?", t("this help")],
 ];
 
 const typing = (target: EventTarget | null): boolean =>

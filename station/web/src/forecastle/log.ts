@@ -5,7 +5,8 @@ import { EventSeverity, type SeatEvent } from "../wire/generated";
 import { begins, kLeft, leave } from "../kit/branch";
 import { h, setAttribute } from "../kit/dom";
 import { clock } from "../kit/units";
-import { saidOf, withSide } from "../kit/words";
+import { eventLine, nameOf, saidOf } from "../kit/words";
+import { t } from "../kit/language";
 
 const kShown = 200;
 
@@ -17,7 +18,7 @@ interface Line {
 }
 
 export class Log {
-  readonly element = h("ol", { class: "log", "aria-label": "log", tabindex: 0 });
+  readonly element = h("ol", { class: "log", "aria-label": t("log"), tabindex: 0 });
   private readonly seen = new Set<string>();
   private lines: Line[] = []; // the newest first
 
@@ -43,9 +44,9 @@ export class Log {
     const severity = saidOf("EventSeverity", event.severity);
     const element = h(
       "li",
-      { "data-code": event.code, "data-severity": severity },
+      { "data-code": event.code, "data-severity": nameOf("EventSeverity", event.severity) },
       h("time", {}, clock(event.time)),
-      h("span", { class: "text" }, info ? "" : `${severity}: `, withSide(event.side, event.text)),
+      h("span", { class: "text" }, info ? "" : `${severity}: `, eventLine(event)),
     );
     this.element.prepend(element);
     this.lines.unshift({ time: event.time, left: false, element });

@@ -4,9 +4,10 @@ import { Refused, type Connection } from "../wire/connection";
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState } from "../wire/generated";
 import { h, setText } from "../kit/dom";
 import { isOpen, orderMayBeBare, orderState, orderUnit, written } from "../kit/orders";
-import { clock } from "../kit/units";
+import { clock, unitWritten } from "../kit/units";
 import { figureField, figurePad } from "./pad";
 import type { Popover } from "./popover";
+import { t, translated } from "../kit/language";
 
 const kShown = 30;
 
@@ -18,7 +19,7 @@ function newestFirst(orders: BridgeOrder[], run: number | undefined): BridgeOrde
 export class Orders {
   readonly element: HTMLElement;
   private readonly list = h("ol", {});
-  private readonly none = h("p", { class: "quiet" }, "No orders yet.");
+  private readonly none = h("p", { class: "quiet" }, t("No orders yet."));
   private readonly announce = h("div", { class: "sr-only", role: "status", "aria-live": "polite" });
   private readonly listeners = new Set<(order: BridgeOrder) => void>();
   private heard = 0; // number of the newest that was announced
@@ -30,7 +31,7 @@ export class Orders {
   ) {
     this.element = h(
       "div",
-      { class: "orders", tabindex: 0, role: "group", "aria-label": "orders" },
+      { class: "orders", tabindex: 0, role: "group", "aria-label": t("orders") },
       this.none,
       this.list,
       this.announce,
@@ -50,7 +51,7 @@ export class Orders {
     const order = this.orders().find(isOpen);
     const button = order && this.list.querySelector<HTMLButtonElement>(`[data-number="${order.number}"] button`);
     if (button) button.click();
-    else this.tell("no order waits to be repeated");
+    else this.tell(t("no order waits to be repeated"));
   }
 
   private orders(): BridgeOrder[] {
@@ -65,7 +66,7 @@ export class Orders {
     if (!newest) this.heard = 0;
     else if (newest.number > this.heard) {
       if (newest.state === BridgeOrderState.ORDER_GIVEN) {
-        setText(this.announce, `order: ${written(newest)}`);
+        setText(this.announce, t("order: {order}", { order: written(newest) }));
         for (const listener of this.listeners) listener(newest);
       }
       this.heard = newest.number;
@@ -75,13 +76,18 @@ export class Orders {
   private row(order: BridgeOrder): HTMLElement {
     const open = isOpen(order);
     const button: HTMLButtonElement | false =
-      open && h("button", { class: "primary", "aria-label": `repeat back: ${written(order)}` }, "Repeat");
+      open &&
+      h(
+        "button",
+        { class: "primary", "aria-label": t("repeat back: {order}", { order: written(order) }) },
+        t("Repeat"),
+      );
     if (button) button.addEventListener("click", () => this.ask(order, button));
     return h(
       "li",
       { "data-number": order.number, "data-state": BridgeOrderState[order.state] },
       h("time", {}, clock(order.time)),
-      h("span", { class: "spoken" }, written(order)),
+      h("span", { class: "spoken", lang: "en" }, written(order)),
       h("span", { class: "quiet" }, orderState(order.state)),
       button,
     );
@@ -94,11 +100,13 @@ export class Orders {
       this.repeat(order, 0);
       return;
     }
+    const many = translated(unit.many);
+    const label = t("{units} ordered", { units: many });
     const pad =
       unit.one === "metre"
-        ? figureField(`${unit.many} ordered`, unit.written, (value) => this.repeat(order, value))
-        : figurePad(`${unit.many} ordered`, (value) => this.repeat(order, value));
-    this.popover.show(`repeat back: how many ${unit.many}?`, button, pad);
+        ? figureField(label, unitWritten(unit), (value) => this.repeat(order, value))
+        : figurePad(label, (value) => this.repeat(order, value));
+    this.popover.show(t("repeat back: how many {units}?", { units: many }), button, pad);
   }
 
   private repeat(order: BridgeOrder, value: number): void {
@@ -111,6 +119,8 @@ export class Orders {
         side: order.side,
         value,
       })
-      .catch((why: unknown) => this.tell(why instanceof Refused ? `not repeated: ${why.message}` : `${why}`));
+      .catch((why: unknown) =>
+        this.tell(why instanceof Refused ? t("not repeated: {why}", { why: why.message }) : `${why}`),
+      );
   }
 }

@@ -3,7 +3,7 @@
 import { orderAloud } from "../kit/aloud";
 import { Briefing } from "../kit/briefing";
 import { h, setAttribute } from "../kit/dom";
-import { choosePalette, palette, palettes } from "../kit/palette";
+import { nextPalette } from "../kit/palette";
 import { everyFrame, openExercisePage } from "../kit/page";
 import { kByHand } from "../kit/orders";
 import { OwnMarks } from "../kit/own_marks";
@@ -25,18 +25,20 @@ import { SceneView } from "./scene_view";
 import { Sounds } from "./sounds";
 import { Stand } from "./stand";
 import { Work } from "./work";
+import { t } from "../kit/language";
+import { eventText } from "../kit/words";
 
 const kFresh = 5; // s of exercise time
 
 const alarmWords: Partial<Record<AlertPriority, string>> = {
-  [AlertPriority.ALERT_WARNING]: "a warning sounds",
-  [AlertPriority.ALERT_ALARM]: "an alarm sounds",
-  [AlertPriority.ALERT_EMERGENCY]: "the emergency alarm sounds",
+  [AlertPriority.ALERT_WARNING]: t("a warning sounds"),
+  [AlertPriority.ALERT_ALARM]: t("an alarm sounds"),
+  [AlertPriority.ALERT_EMERGENCY]: t("the emergency alarm sounds"),
 };
 
 /** Opens the page in <main id="page">. */
 export function openForecastle(): void {
-  const page = openExercisePage("Forecastle", "ForecastleView");
+  const page = openExercisePage(t("Forecastle"), "ForecastleView");
   const { link } = page;
   const stand = new Stand(link);
   const scene = new SceneView(page);
@@ -49,7 +51,7 @@ export function openForecastle(): void {
   const sounds = new Sounds(page, stand, orders, () => scene.ears());
   const speech = new Speech();
   orders.onOrder((order) => order.text !== kByHand && isFresh(order.time) && speech.say(orderAloud(order)));
-  link.on("SeatEvent", ({ code, time, text }) => code === "report.not_heard" && isFresh(time) && tell(text));
+  link.on("SeatEvent", (event) => event.code === "report.not_heard" && isFresh(event.time) && tell(eventText(event)));
   const marks = new OwnMarks(link);
   const briefing = new Briefing(link, marks);
   const firstVisit = new FirstVisit(page.root);
@@ -57,7 +59,7 @@ export function openForecastle(): void {
     () => controllers.show(),
     () => firstVisit.open(),
   );
-  const helpButton = h("button", { class: "plain", "aria-label": "help: keys", onclick: () => help.toggle() }, "?");
+  const helpButton = h("button", { class: "plain", "aria-label": t("help: keys"), onclick: () => help.toggle() }, "?");
   page.topBar.middle.append(speech.button, briefing.button, marks.button, helpButton);
   page.root.className = "forecastle";
   page.root.append(
@@ -66,12 +68,12 @@ export function openForecastle(): void {
     stand.element,
     h(
       "section",
-      { class: "panel heard", "aria-label": "orders" },
-      h("h2", {}, "Orders from the bridge"),
+      { class: "panel heard", "aria-label": t("orders") },
+      h("h2", {}, t("Orders from the bridge")),
       orders.element,
     ),
     reports.element,
-    h("section", { class: "panel noticed", "aria-label": "log" }, h("h2", {}, "Log"), new Log(link).element),
+    h("section", { class: "panel noticed", "aria-label": t("log") }, h("h2", {}, t("Log")), new Log(link).element),
   );
   if (!page.still) firstVisit.begin();
   document.body.append(help.element, briefing.element, marks.element);
@@ -86,7 +88,7 @@ export function openForecastle(): void {
   const pad = new GamepadReader({ ...hands(), menu: step, choose }, memory, () => controllers.open);
   document.body.append(controllers.element);
   addEventListener("gamepadconnected", ({ gamepad }) => {
-    if (!memory.of(gamepad)) tell(`${gamepad.id}: not yet taught what it moves (?, Controllers)`);
+    if (!memory.of(gamepad)) tell(t("{name}: not yet taught what it moves (?, Controllers)", { name: gamepad.id }));
   });
   listenToKeys(hands());
   everyFrame((now) => {
@@ -116,7 +118,7 @@ export function openForecastle(): void {
       side: () => stand.nextSide(),
       camera: (number: number) => scene.lookNumber(number),
       mute: () => page.alerts.sound.toggle(),
-      palette: () => choosePalette(palettes[(palettes.indexOf(palette()) + 1) % palettes.length]!),
+      palette: nextPalette,
       captions: () => captions.toggle(),
       lamp: () => scene.switchLamp(),
       report: () => reports.focus(),

@@ -1,6 +1,7 @@
 // What opens over the picture for a choice: one at a time, shut by Escape, a touch elsewhere or the choice.
 
 import { h } from "../kit/dom";
+import { t } from "../kit/language";
 
 export class Popover {
   private open: HTMLElement | undefined;
@@ -28,7 +29,7 @@ export class Popover {
         "div",
         { class: "row" },
         h("h2", {}, title),
-        h("button", { class: "plain", "aria-label": "close", onclick: () => this.close() }, "\u2715"),
+        h("button", { class: "plain", "aria-label": t("close"), onclick: () => this.close() }, "\u2715"),
       ),
       ...content,
     );

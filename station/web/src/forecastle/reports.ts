@@ -8,6 +8,7 @@ import { type PadLeaf, allSaid, capital, orderRows, padLeaves, placeOf, reportRo
 import { figurePad } from "./pad";
 import type { Popover } from "./popover";
 import type { Work } from "./work";
+import { t, translated } from "../kit/language";
 
 /** What a report says beside its code; enumerators by name. */
 export interface Said {
@@ -38,7 +39,7 @@ const labelOf = (code: ReportCode): string => reportRows[code]!.label!;
 
 export class Reports {
   readonly element: HTMLElement;
-  private readonly pad = h("div", { class: "report-pad" });
+  private readonly pad = h("div", { class: "report-pad", lang: "en" });
   private readonly leaves: HTMLButtonElement[];
   private turnedTo: PadLeaf | undefined; // by a touch, until the work goes on
   private shown: PadLeaf | undefined;
@@ -52,20 +53,24 @@ export class Reports {
     private readonly tell: (text: string) => void,
   ) {
     this.leaves = padLeaves.map((leaf) =>
-      h("button", { class: "plain", "data-leaf": leaf.const, onclick: () => this.turn(leaf) }, capital(leaf.said)),
+      h(
+        "button",
+        { class: "plain", "data-leaf": leaf.const, onclick: () => this.turn(leaf) },
+        capital(translated(leaf.said)),
+      ),
     );
     this.element = h(
       "section",
-      { class: "panel reports", "aria-label": "reports" },
+      { class: "panel reports", "aria-label": t("reports") },
       h(
         "div",
         { class: "row" },
-        h("h2", {}, "Report"),
+        h("h2", {}, t("Report")),
         h(
           "div",
-          { class: "leaves", role: "group", "aria-label": "reports of" },
+          { class: "leaves", role: "group", "aria-label": t("reports of") },
           ...this.leaves,
-          this.opens("Own words", "in own words", () => [this.words()], "plain"),
+          this.opens(t("Own words"), t("in own words"), () => [this.words()], "plain"),
         ),
       ),
       this.pad,
@@ -109,7 +114,9 @@ export class Reports {
     this.popover.close();
     this.link
       .order("Report", { code: ReportCode[code], side: this.side(), ...said })
-      .catch((why: unknown) => this.tell(why instanceof Refused ? `report refused: ${why.message}` : `${why}`));
+      .catch((why: unknown) =>
+        this.tell(why instanceof Refused ? t("report refused: {why}", { why: why.message }) : `${why}`),
+      );
   }
 
   /** A button for each report of a leaf: it says it, or asks first for what is to be said. */
@@ -117,11 +124,11 @@ export class Reports {
     return onLeaf(leaf).flatMap(({ code, label, unit }) => {
       if (code === ReportCode.REPORT_WEIGHT) return []; // is asked for with how she grows
       if (code === ReportCode.REPORT_LEAD)
-        return this.opens(capital(label), "how the cable leads", () => [this.leads()]);
+        return this.opens(capital(label), t("how the cable leads"), () => [this.leads()]);
       if (code === ReportCode.REPORT_GROWING)
         return this.opens(
           capital(`${label}, ${labelOf(ReportCode.REPORT_WEIGHT)}`),
-          "how the cable grows, or what weight is on it",
+          t("how the cable grows, or what weight is on it"),
           () => [
             this.choices("Growing", (growing) => this.say(ReportCode.REPORT_GROWING, { growing: Growing[growing] })),
             this.choices("CableWeight", (weight) =>
@@ -130,7 +137,7 @@ export class Reports {
           ],
         );
       if (code === ReportCode.REPORT_UNSAFE)
-        return this.opens(capital(label), "unsafe: what you propose", () => [this.proposals()]);
+        return this.opens(capital(label), t("unsafe: what you propose"), () => [this.proposals()]);
       if (unit === "shackle") return this.opens(`n ${label}`, `shackles ${label}`, () => [this.counts(code)]);
       if (unit) return this.opens(capital(label), label, () => [this.counts(code)]);
       return h("button", { onclick: () => this.say(code) }, capital(label));
@@ -152,7 +159,7 @@ export class Reports {
   }
 
   private counts(code: ReportCode): HTMLElement {
-    return figurePad("how many", (value) => this.say(code, { value }));
+    return figurePad(t("how many"), (value) => this.say(code, { value }));
   }
 
   private choices(of: "Growing" | "CableWeight", chosen: (choice: number) => void): HTMLElement {
@@ -176,7 +183,7 @@ export class Reports {
           ? [propose(label.replace(/ (at|to)$/, ""), BridgeOrderCode[code])]
           : [],
       ),
-      propose("nothing"),
+      propose(t("nothing")),
     );
   }
 
@@ -204,7 +211,7 @@ export class Reports {
             class: "hour",
             role: "button",
             tabindex: 0,
-            "aria-label": `${n} o'clock`,
+            "aria-label": t("{hour} o'clock", { hour: n }),
             "aria-pressed": "false",
             onclick: () => touch(n),
             onkeydown: (event: KeyboardEvent) => (event.key === "Enter" || event.key === " ") && touch(n),
@@ -233,7 +240,7 @@ export class Reports {
       { class: "lead" },
       svg(
         "svg",
-        { viewBox: "-100 -100 200 200", class: "clock", role: "group", "aria-label": "hour, 12 ahead" },
+        { viewBox: "-100 -100 200 200", class: "clock", role: "group", "aria-label": t("hour, 12 ahead") },
         svg("path", { d: "M 0 -46 C 16 -30 18 0 16 34 L -16 34 C -18 0 -16 -30 0 -46 Z", class: "ship" }),
         ...marks,
       ),
@@ -242,7 +249,7 @@ export class Reports {
   }
 
   private words(): HTMLElement {
-    const field = h("input", { type: "text", maxLength: 120, "aria-label": "report in own words" });
+    const field = h("input", { type: "text", maxLength: 120, "aria-label": t("report in own words") });
     const say = (code: ReportCode): void => {
       const text = field.value.trim();
       if (text) this.say(code, { text });
@@ -257,8 +264,8 @@ export class Reports {
       "div",
       { class: "own-words" },
       field,
-      h("button", { class: "primary", onclick: () => say(ReportCode.REPORT_TEXT) }, "Report"),
-      h("button", { onclick: () => say(ReportCode.REPORT_DEFECT) }, "Report a defect"),
+      h("button", { class: "primary", onclick: () => say(ReportCode.REPORT_TEXT) }, t("Report")),
+      h("button", { onclick: () => say(ReportCode.REPORT_DEFECT) }, t("Report a defect")),
     );
   }
 }

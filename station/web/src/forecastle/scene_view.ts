@@ -7,17 +7,18 @@ import { onPalette } from "../kit/palette";
 import { frameOfSeat } from "../scene/from_seat";
 import { type CameraName, ShipScene } from "../scene/ship_scene";
 import type { SceneDescription } from "../wire/generated";
+import { t } from "../kit/language";
 
 const kCameras: readonly (readonly [CameraName, string])[] = [
-  ["stand", "Stand"],
-  ["bow", "Over the bow"],
-  ["brake", "At the brake"],
-  ["aft", "Aft"],
+  ["stand", t("Stand")],
+  ["bow", t("Over the bow")],
+  ["brake", t("At the brake")],
+  ["aft", t("Aft")],
 ];
 
 const kLight = 6.5; // h, before and until which a lamp helps
 
-const drawnOn = (): HTMLCanvasElement => h("canvas", { "aria-label": "the forecastle, drawn", role: "img" });
+const drawnOn = (): HTMLCanvasElement => h("canvas", { "aria-label": t("the forecastle, drawn"), role: "img" });
 
 export class SceneView {
   readonly element: HTMLElement;
@@ -27,7 +28,7 @@ export class SceneView {
   private readonly buttons: HTMLButtonElement[];
   private readonly underWater: HTMLButtonElement;
   private readonly lamp: HTMLButtonElement;
-  private readonly message = h("p", { class: "scene-message" }, "Waiting for the ship ...");
+  private readonly message = h("p", { class: "scene-message" }, t("Waiting for the ship ..."));
   private scene: ShipScene | undefined;
   private drawn: bigint | undefined; // definition of what the scene shows
   private camera: CameraName = "stand";
@@ -47,29 +48,29 @@ export class SceneView {
       "button",
       { class: "plain", "aria-pressed": "false", hidden: true, onclick: () => this.look("water") },
       h("kbd", { "aria-hidden": "true" }, 7),
-      " Under water",
+      ` ${t("Under water")}`,
     );
     this.lamp = h(
       "button",
       { class: "plain", "aria-pressed": "false", hidden: true, onclick: () => this.switchLamp() },
       h("kbd", { "aria-hidden": "true" }, "l"),
-      " Hand lamp",
+      ` ${t("Hand lamp")}`,
     );
     this.element = h(
       "section",
-      { class: "scene", "aria-label": "picture" },
+      { class: "scene", "aria-label": t("picture") },
       this.canvas,
       this.message,
       h(
         "div",
         { class: "scene-top" },
-        h("div", { class: "cameras", role: "group", "aria-label": "camera" }, ...this.buttons, this.underWater),
+        h("div", { class: "cameras", role: "group", "aria-label": t("camera") }, ...this.buttons, this.underWater),
         h("div", { class: "cameras" }, this.lamp),
         this.over,
       ),
     );
     if (new URLSearchParams(location.search).get("picture") === "off") {
-      this.message.textContent = "The picture is off."; // for a computer that is too slow to draw it
+      this.message.textContent = t("The picture is off."); // for a computer that is too slow to draw it
       return;
     }
     page.link.on("SceneDescription", (description) => this.build(description));
@@ -133,7 +134,7 @@ export class SceneView {
     } catch (why) {
       this.message.hidden = false;
       this.scene = undefined;
-      this.message.textContent = "This browser draws no WebGL picture; the stand works without it.";
+      this.message.textContent = t("This browser draws no WebGL picture; the stand works without it.");
       console.warn(`${why}`);
       return;
     }

@@ -12,6 +12,7 @@ import { AnchorSeen, RunState, type SceneDescription } from "../wire/generated";
 import { heardOf } from "./heard";
 import type { Orders } from "./orders";
 import type { Stand } from "./stand";
+import { t } from "../kit/language";
 
 const kNoteTime = 3000; // ms that a short sound's caption stays
 const kFast = 0.5; // m/s, from which an anchor that goes under is heard to
@@ -55,12 +56,12 @@ export class Sounds {
     link.on("SeatEvent", (event) => {
       if (event.code !== "cable.shackle" || !event.forecastle || event.time < (this.time() ?? 0) - 2) return;
       this.deck?.shackle(event.side, this.player.time);
-      this.note("mark", "a joining shackle passes");
+      this.note("mark", t("a joining shackle passes"));
     });
     orders.onOrder((order) => {
       if (order.text === kByHand) return;
       this.deck?.talkback.call(this.player.time);
-      this.note("talkback", "talkback calls");
+      this.note("talkback", t("talkback calls"));
     });
     everySecond(20, (now) => this.play(now));
   }
@@ -112,13 +113,13 @@ export class Sounds {
         view.cable_speed_seen >= kFast
       ) {
         this.deck?.splash(view.side, this.player.time);
-        this.note("water", "the anchor splashes");
+        this.note("water", t("the anchor splashes"));
       }
       const closed = this.stoppers.get(view.side);
       this.stoppers.set(view.side, view.stopper_closed);
       if (closed !== undefined && closed !== view.stopper_closed) {
         this.deck?.blow(view.side, this.player.time);
-        this.note("stopper", view.stopper_closed ? "the stopper bar falls" : "the stopper bar lifts");
+        this.note("stopper", view.stopper_closed ? t("the stopper bar falls") : t("the stopper bar lifts"));
       }
     }
   }

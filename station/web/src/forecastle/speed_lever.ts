@@ -3,6 +3,7 @@
 
 import { h, setAttribute, setText } from "../kit/dom";
 import { figure } from "../kit/units";
+import { t } from "../kit/language";
 
 const kSnap = 0.035; // of the way to full, within which a detent catches
 /** Where a stepless drive's lever catches. */
@@ -29,18 +30,18 @@ export class SpeedLever {
   private latched = false;
 
   constructor(private readonly hand: SpeedHand) {
-    this.slot = h("div", { class: "slot", role: "slider", tabindex: 0, "aria-label": "speed lever" });
+    this.slot = h("div", { class: "slot", role: "slider", tabindex: 0, "aria-label": t("speed lever") });
     setAttribute(this.slot, "aria-orientation", "vertical");
     setAttribute(this.slot, "aria-valuemin", "-100");
     setAttribute(this.slot, "aria-valuemax", "100");
     this.slot.append(this.ticks, this.real, this.knob);
     this.element = h(
       "section",
-      { class: "control speed", "aria-label": "speed lever" },
-      h("h2", {}, "Speed"),
-      h("span", { class: "end", "aria-hidden": "true" }, "\u25b2 heave"),
+      { class: "control speed", "aria-label": t("speed lever") },
+      h("h2", {}, t("Speed")),
+      h("span", { class: "end", "aria-hidden": "true" }, `\u25b2 ${t("heave")}`),
       this.slot,
-      h("span", { class: "end", "aria-hidden": "true" }, "\u25bc lower"),
+      h("span", { class: "end", "aria-hidden": "true" }, `\u25bc ${t("lower")}`),
       this.words,
     );
     this.setDetents(kSteplessDetents);
@@ -69,8 +70,8 @@ export class SpeedLever {
     setAttribute(this.element, "data-latched", latched ? "" : undefined);
     setAttribute(this.slot, "style", `--set: ${set.toFixed(3)}; --real: ${real.toFixed(3)}`);
     const percent = figure(Math.abs(100 * set));
-    const words =
-      Math.abs(set) < 0.005 ? "0 %" : `${set > 0 ? "heave" : "lower"} ${percent} %${latched ? ", latched" : ""}`;
+    const way = set > 0 ? t("heave {percent} %", { percent }) : t("lower {percent} %", { percent });
+    const words = Math.abs(set) < 0.005 ? "0 %" : latched ? t("{way}, latched", { way }) : way;
     setText(this.words, words);
     setAttribute(this.slot, "aria-valuenow", String(Math.round(100 * set)));
     setAttribute(this.slot, "aria-valuetext", words);

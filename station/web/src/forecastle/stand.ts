@@ -5,7 +5,7 @@ import type { ForecastleView, SceneTackle } from "../wire/generated";
 import { ownerWords, takenWords } from "../kit/authority";
 import { h, setAttribute, setShown, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
-import { sideName } from "../kit/units";
+import { sideWord } from "../kit/units";
 import { Clutch } from "./clutch";
 import { EmergencyStop } from "./emergency_stop";
 import { Gauges } from "./gauges";
@@ -14,6 +14,7 @@ import { LeverHand } from "./levers";
 import { kPoleDetents, kSteplessDetents, SpeedLever } from "./speed_lever";
 import { Stopper } from "./stopper";
 import { HandWheel } from "./wheel";
+import { t } from "../kit/language";
 
 const kTravelTime = 6; // s of a hand-wheel, until the scene's description says its own
 const kNoticeTime = 7000; // ms
@@ -29,9 +30,9 @@ export class Stand {
   readonly stopper: Stopper;
   readonly stop: EmergencyStop;
   private side_ = 0;
-  private readonly sides = h("div", { class: "sides", role: "group", "aria-label": "windlass in hand" });
+  private readonly sides = h("div", { class: "sides", role: "group", "aria-label": t("windlass in hand") });
   private readonly owner = h("strong", { class: "owner", role: "status" });
-  private readonly letGo = h("button", { class: "plain", onclick: () => this.hand.letGo() }, "Leave them");
+  private readonly letGo = h("button", { class: "plain", onclick: () => this.hand.letGo() }, t("Leave them"));
   private readonly notice = h("p", { class: "notice", role: "status", "aria-live": "assertive" });
   private noticeUntil = 0;
   private readonly sideListeners = new Set<(side: number) => void>();
@@ -56,12 +57,12 @@ export class Stand {
     this.stop = new EmergencyStop((on) => this.hand.put({ emergency_stop: on }));
     this.element = h(
       "section",
-      { class: "stand panel", "aria-label": "stand" },
+      { class: "stand panel", "aria-label": t("stand") },
       h(
         "div",
         { class: "row head" },
         this.sides,
-        h("span", { class: "levers-of" }, "levers: ", this.owner),
+        h("span", { class: "levers-of" }, `${t("levers:")} `, this.owner),
         this.letGo,
       ),
       this.gauges.element,
@@ -81,7 +82,7 @@ export class Stand {
     link.on("SceneDescription", () => this.showSides());
     link.onMessage("levers", (message) => {
       const side = message.side as number;
-      if (message.by === "another") this.lost(side, "another page of this station has these levers");
+      if (message.by === "another") this.lost(side, t("another page of this station has these levers"));
       if (message.helm === true || !message.taken_by) return;
       this.hands[side]?.drop(); // without a word more: they are another's
       this.tell(takenWords(link, message));
@@ -133,7 +134,7 @@ export class Stand {
     const view: ForecastleView | undefined = this.link.latest("ForecastleView", this.side_);
     const levers = this.hand.levers();
     const authority = this.hand.authority();
-    setText(this.owner, view || authority.owner !== "nobody" ? ownerWords(authority) : "waiting \u2026");
+    setText(this.owner, view || authority.owner !== "nobody" ? ownerWords(authority) : t("waiting …"));
     setAttribute(this.element, "data-owner", authority.owner);
     setShown(this.letGo, this.link.holds(this.side_));
     if (now > this.noticeUntil) setText(this.notice, "");
@@ -174,10 +175,10 @@ export class Stand {
           {
             "aria-pressed": `${side === this.side_}`,
             "data-side": side,
-            title: "key p",
+            title: t("key p"),
             onclick: () => this.setSide(side),
           },
-          sideName(side),
+          sideWord(side),
         ),
       ),
     );

@@ -5,6 +5,7 @@ import type { ForecastleView } from "../wire/generated";
 import { h, setAttribute, setText, svg } from "../kit/dom";
 import { kHoldTime } from "./clutch";
 import { HoldGuard } from "../kit/hold_button";
+import { t } from "../kit/language";
 
 export class Stopper {
   readonly element: HTMLElement;
@@ -25,14 +26,14 @@ export class Stopper {
     this.button = h("button", {
       class: "guarded",
       role: "switch",
-      "aria-label": "chain stopper",
-      title: "key t, held",
+      "aria-label": t("chain stopper"),
+      title: t("key t, held"),
     });
     this.guard = new HoldGuard(this.button, () => kHoldTime, toggle);
     this.element = h(
       "section",
-      { class: "control stopper", "aria-label": "chain stopper" },
-      h("div", { class: "row" }, h("h2", {}, "Stopper"), this.state),
+      { class: "control stopper", "aria-label": t("chain stopper") },
+      h("div", { class: "row" }, h("h2", {}, t("Stopper")), this.state),
       svg(
         "svg",
         { viewBox: "-12 -38 104 60", class: "window", "aria-hidden": "true" },
@@ -53,19 +54,19 @@ export class Stopper {
       "transform",
       closed ? "translate(2 -1)" : `translate(2 -1) rotate(${view.stopper_sprung ? -75 : -48})`,
     );
-    setText(this.state, view.stopper_sprung ? "SPRUNG" : closed ? "ON" : "OFF");
-    setText(this.button, levers.stopper_closed ? "Hold: lift" : "Hold: close");
+    setText(this.state, view.stopper_sprung ? t("SPRUNG") : closed ? t("ON") : t("OFF"));
+    setText(this.button, levers.stopper_closed ? t("Hold: lift") : t("Hold: close"));
     setAttribute(this.button, "aria-checked", `${levers.stopper_closed}`);
     const refuses = levers.stopper_closed !== closed;
     setText(
       this.reason,
       view.stopper_sprung && levers.stopper_closed
-        ? "the pin is out: the bar has sprung open"
+        ? t("the pin is out: the bar has sprung open")
         : !refuses
           ? ""
           : closed
-            ? "under load: does not lift"
-            : "does not close on running chain",
+            ? t("under load: does not lift")
+            : t("does not close on running chain"),
     );
     this.button.disabled = !movable;
   }

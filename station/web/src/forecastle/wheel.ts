@@ -1,21 +1,21 @@
 // The brake's hand-wheel: turned by dragging round its hub, clockwise on. The rim stands where the hand has put it,
 // the pointer in the hub where the wheel really is.
 
-import { units } from "../../../../words/words.json";
 import { h, setAttribute, setText, setVariable, svg } from "../kit/dom";
-import { figure } from "../kit/units";
 import { kFine, kWheelTurns } from "./levers";
+import { t } from "../kit/language";
 
 const kSpokes = 6;
 const kNotch = 5 / 360; // turns, of the mouse's wheel
 const kNotchPixels = 100; // of a mouse's wheel; a touchpad says less at a time
 const kGrown = 280; // px, of the rim that a hand has
 
-/** "2 turns 214\u00b0". share: 0..1 of the way. */
+/** "2 turns 214°". share: 0..1 of the way. */
 export function turnsText(share: number): string {
   const degrees = Math.round(share * kWheelTurns * 360);
   const whole = Math.floor(degrees / 360);
-  return `${whole} ${whole === 1 ? units.turn.one : units.turn.many} ${degrees - 360 * whole}${units.degree.written}`;
+  const rest = degrees - 360 * whole;
+  return whole === 1 ? t("1 turn {rest}°", { rest }) : t("{whole} turns {rest}°", { whole, rest });
 }
 
 export interface WheelHand {
@@ -43,18 +43,23 @@ export class HandWheel {
     this.pointer = svg("g", { class: "pointer" });
     this.picture = svg("svg", { viewBox: "-100 -100 200 200", "aria-hidden": "true" }, this.rim, this.pointer);
     this.draw();
-    this.wheel = h("div", { class: "wheel", role: "slider", tabindex: 0, "aria-label": "brake hand-wheel" });
+    this.wheel = h("div", { class: "wheel", role: "slider", tabindex: 0, "aria-label": t("brake hand-wheel") });
     setAttribute(this.wheel, "aria-valuemin", "0");
     setAttribute(this.wheel, "aria-valuemax", "100");
     this.wheel.append(this.picture);
     this.buttons = [
-      h("button", { "data-act": "open", title: "key 0", onclick: () => hand.spin(0) }, "Open"),
-      h("button", { "data-act": "hard-on", title: "key b", onclick: () => hand.spin(1) }, "Hard on"),
+      h("button", { "data-act": "open", title: t("key 0"), onclick: () => hand.spin(0) }, t("Open")),
+      h("button", { "data-act": "hard-on", title: t("key b"), onclick: () => hand.spin(1) }, t("Hard on")),
     ];
     this.element = h(
       "section",
-      { class: "control brake", "aria-label": "brake" },
-      h("div", { class: "row top" }, h("h2", {}, "Brake"), h("output", { class: "figures" }, this.turns, this.state)),
+      { class: "control brake", "aria-label": t("brake") },
+      h(
+        "div",
+        { class: "row top" },
+        h("h2", {}, t("Brake")),
+        h("output", { class: "figures" }, this.turns, this.state),
+      ),
       this.wheel,
       h("div", { class: "row pair" }, ...this.buttons),
     );
@@ -66,12 +71,13 @@ export class HandWheel {
     const angle = (share: number): string => `rotate(${(share * kWheelTurns * 360).toFixed(1)})`;
     setAttribute(this.rim, "transform", angle(set));
     setAttribute(this.pointer, "transform", angle(real));
-    const state = real > 0.995 ? "hard on" : real < 0.005 ? "open" : `of ${kWheelTurns} turns on`;
-    const moving = Math.abs(set - real) > 0.01 ? `, set ${turnsText(set)}` : "";
+    const state =
+      real > 0.995 ? t("hard on") : real < 0.005 ? t("open") : t("of {turns} turns on", { turns: kWheelTurns });
+    const moving = Math.abs(set - real) > 0.01 ? t(", set {turns}", { turns: turnsText(set) }) : "";
     setText(this.turns, turnsText(real));
     setText(this.state, `${state}${moving}`);
-    setAttribute(this.wheel, "aria-valuenow", figure(100 * set, 1).replace("\u2212", "-"));
-    setAttribute(this.wheel, "aria-valuetext", `brake ${turnsText(real)}, ${state}${moving}`);
+    setAttribute(this.wheel, "aria-valuenow", (100 * set).toFixed(1));
+    setAttribute(this.wheel, "aria-valuetext", `${t("brake|hand-wheel")} ${turnsText(real)}, ${state}${moving}`);
     setAttribute(this.wheel, "aria-disabled", movable ? undefined : "true");
     for (const button of this.buttons) button.disabled = !movable;
   }

@@ -4,6 +4,7 @@ import { AlarmSound } from "../sound/alarm";
 import { SoundPlayer, kAhead } from "../sound/player";
 import type { AlertPriority } from "../wire/generated";
 import { h, setAttribute, setText } from "./dom";
+import { t } from "./language";
 
 const kTick = 50; // ms; a page that is hidden is called once a second only, and then an alert begins so much later
 
@@ -12,7 +13,7 @@ export class AlertSound {
   readonly button = h("button", {
     class: "plain sound",
     type: "button",
-    title: "sound of this page",
+    title: t("sound of this page"),
     onclick: () => this.toggle(),
   });
   readonly player = new SoundPlayer();
@@ -35,8 +36,8 @@ export class AlertSound {
     this.play();
     const { muted, running } = this.player;
     const unheard = this.sounding() !== undefined && (muted || !running);
-    const state = muted ? "sound off" : running ? "sound on" : "sound: touch to begin";
-    setText(this.button, unheard ? (muted ? "alert unheard: muted" : "alert unheard: touch") : state);
+    const state = muted ? t("sound off") : running ? t("sound on") : t("sound: touch to begin");
+    setText(this.button, unheard ? (muted ? t("alert unheard: muted") : t("alert unheard: touch")) : state);
     setAttribute(this.button, "aria-pressed", `${!muted && running}`);
     setAttribute(this.button, "data-unheard", unheard ? "" : undefined);
   }

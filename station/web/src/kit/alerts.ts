@@ -6,17 +6,27 @@ import { type Alert, AlertCondition, AlertPriority } from "../wire/generated";
 import { AlertSound } from "./alert_sound";
 import { h, setText } from "./dom";
 import { isUnheard } from "./live";
-import { clock, sideName } from "./units";
-import { saidOf } from "./words";
+import { t } from "./language";
+import { clock, sideWord } from "./units";
+import { alertWords, nameOf, saidOf } from "./words";
 
 /** "1 warning", "2 alarms +1": how many of the worst, and how many others. */
-function counted(alerts: readonly Alert[], worst: string): string {
-  if (!alerts.length) return "no alerts";
-  const most = alerts.filter((alert) => priorityWords(alert.priority) === worst).length;
+function counted(alerts: readonly Alert[]): string {
+  if (!alerts.length) return t("no alerts");
+  const worst = worstOf(alerts);
+  const most = alerts.filter(({ priority }) => priority === worst).length;
   const others = alerts.length - most;
-  return `${most} ${most === 1 ? worst : `${worst.replace(/y$/, "ie")}s`}${others ? ` +${others}` : ""}`;
+  return `${most} ${most === 1 ? priorityWords(worst) : priorityMany(worst)}${others ? ` +${others}` : ""}`;
 }
 
+function priorityMany(priority: AlertPriority): string {
+  if (priority === AlertPriority.ALERT_CAUTION) return t("cautions");
+  if (priority === AlertPriority.ALERT_WARNING) return t("warnings");
+  return priority === AlertPriority.ALERT_ALARM ? t("alarms") : t("emergencies");
+}
+
+/** For style sheets: "alarm". */
+export const priorityName = (priority: AlertPriority): string => nameOf("AlertPriority", priority);
 /** How a priority is called. */
 export const priorityWords = (priority: AlertPriority): string => saidOf("AlertPriority", priority);
 const kShown = 20; // MSC.302(87) 9.11
@@ -27,7 +37,7 @@ function byUrgency(a: Alert, b: Alert): number {
   return open(a) - open(b) || b.priority - a.priority || b.raised_time - a.raised_time;
 }
 
-const worstOf = (alerts: Alert[]): AlertPriority =>
+const worstOf = (alerts: readonly Alert[]): AlertPriority =>
   alerts.reduce<AlertPriority>((worst, a) => Math.max(worst, a.priority), AlertPriority.ALERT_CAUTION);
 
 const sounds = (alert: Alert): boolean =>
@@ -47,7 +57,7 @@ export class AlertPanel {
   private known = new Set<string>();
 
   constructor(private readonly link: Connection) {
-    this.silence = h("button", { class: "plain", onclick: () => this.silenceAll() }, "Silence");
+    this.silence = h("button", { class: "plain", onclick: () => this.silenceAll() }, t("Silence"));
     this.button = h(
       "button",
       { class: "alert-button", "aria-expanded": "false", onclick: () => this.toggle() },
@@ -56,8 +66,8 @@ export class AlertPanel {
     );
     this.element = h(
       "section",
-      { class: "alert-panel", "aria-label": "alerts", hidden: true },
-      h("div", { class: "row" }, h("h2", {}, "Alerts"), this.silence),
+      { class: "alert-panel", "aria-label": t("alerts"), hidden: true },
+      h("div", { class: "row" }, h("h2", {}, t("Alerts")), this.silence),
       this.list,
       this.more,
       this.announce,
@@ -115,16 +125,22 @@ export class AlertPanel {
   update(): void {
     const alerts = this.alerts();
     const open = alerts.filter((a) => a.condition !== AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED);
-    const worst = alerts.length ? priorityWords(worstOf(alerts)) : "none";
-    this.button.dataset.priority = worst;
+    this.button.dataset.priority = alerts.length ? priorityName(worstOf(alerts)) : "none";
     this.button.classList.toggle("flashes", open.length > 0);
-    setText(this.count, isUnheard(this.link) ? "alerts not heard" : counted(alerts, worst));
+    setText(this.count, isUnheard(this.link) ? t("alerts not heard") : counted(alerts));
     this.silence.disabled = !alerts.some(sounds);
     this.list.replaceChildren(...alerts.slice(0, kShown).map((alert) => this.row(alert)));
-    setText(this.more, alerts.length > kShown ? `and ${alerts.length - kShown} more` : alerts.length ? "" : "None.");
+    setText(
+      this.more,
+      alerts.length > kShown
+        ? t("and {count} more", { count: alerts.length - kShown })
+        : alerts.length
+          ? ""
+          : t("None."),
+    );
     for (const alert of open)
       if (!this.known.has(`${alert.code}/${alert.side}`))
-        setText(this.announce, `${priorityWords(alert.priority)}: ${alert.text}`);
+        setText(this.announce, `${priorityWords(alert.priority)}: ${alertWords(alert).text}`);
     this.known = new Set(open.map((a) => `${a.code}/${a.side}`));
     this.sound.update();
     for (const listener of this.listeners) listener(alerts);
@@ -132,12 +148,13 @@ export class AlertPanel {
 
   private row(alert: Alert): HTMLElement {
     const acknowledged = alert.condition === AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED;
-    const place = alert.side >= 0 ? `${sideName(alert.side)}, ` : "";
+    const place = alert.side >= 0 ? `${sideWord(alert.side)}, ` : "";
+    const { text, explanation } = alertWords(alert);
     return h(
       "li",
-      { "data-priority": priorityWords(alert.priority), "data-code": alert.code },
+      { "data-priority": priorityName(alert.priority), "data-code": alert.code },
       h("strong", {}, priorityWords(alert.priority)),
-      h("span", { class: "text" }, alert.text, h("small", {}, alert.explanation)),
+      h("span", { class: "text" }, text, h("small", {}, explanation)),
       h(
         "span",
         { class: "quiet" },
@@ -146,8 +163,12 @@ export class AlertPanel {
       !acknowledged &&
         h(
           "button",
-          { class: "plain", "aria-label": `ACK: acknowledge ${alert.text}`, onclick: () => this.acknowledge(alert) },
-          "ACK",
+          {
+            class: "plain",
+            "aria-label": t("ACK: acknowledge {text}", { text }),
+            onclick: () => this.acknowledge(alert),
+          },
+          t("ACK"),
         ),
     );
   }

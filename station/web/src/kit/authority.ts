@@ -3,7 +3,8 @@
 import type { Connection, Heard } from "../wire/connection";
 import type { HelmCommand, WindlassCommand } from "../wire/generated";
 import { isUnheard } from "./live";
-import { clock, sideName } from "./units";
+import { clock, sideWord } from "./units";
+import { t } from "./language";
 
 /** unheard: no server is heard that would obey anybody. */
 export type Owner = "nobody" | "mine" | "instructor" | "other page" | "other" | "unheard";
@@ -44,19 +45,22 @@ export function helmAuthority(link: Connection, now: number): Authority<HelmComm
 
 /** For people: "mine", "instructor has taken over", "trainee-2", "nobody". */
 export function ownerWords({ owner, name }: Omit<Authority<unknown>, "command">): string {
-  if (owner === "instructor") return "instructor has taken over";
-  if (owner === "unheard") return "no server";
-  if (owner === "other page") return "another page of this station";
-  return owner === "other" ? name : owner;
+  if (owner === "instructor") return t("instructor has taken over");
+  if (owner === "unheard") return t("no server");
+  if (owner === "other page") return t("another page of this station");
+  if (owner === "mine") return t("mine");
+  return owner === "nobody" ? t("nobody") : name;
 }
 
 /** Of a message that another station has these levers now: "desk-2 has the port windlass, at 0:12: ..."; else "". */
 export function takenWords(link: Connection, message: Record<string, unknown>): string {
   const taker = message.taken_by as string | undefined;
   if (!taker) return "";
-  const by = taker === link.hello?.name ? `Another station named ${taker}` : taker;
-  const what = message.helm === true ? "helm" : `${sideName(message.side as number)} windlass`;
-  return `${by} has the ${what}, at ${clock(link.latest("ExerciseStatus")?.time ?? 0)}: your hand is off it`;
+  const by = taker === link.hello?.name ? t("Another station named {name}", { name: taker }) : taker;
+  const time = clock(link.latest("ExerciseStatus")?.time ?? 0);
+  if (message.helm === true) return t("{by} has the helm, at {time}: your hand is off it", { by, time });
+  const side = sideWord(message.side as number);
+  return t("{by} has the {side} windlass, at {time}: your hand is off it", { by, side, time });
 }
 
 /** An instructor's own page knows its hand on the instructor's topic. */

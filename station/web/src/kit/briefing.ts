@@ -9,17 +9,18 @@ import { inChosenUnits } from "./figures_in_text";
 import type { OwnMarks } from "./own_marks";
 import { measures } from "./units";
 import { capital } from "./words";
+import { t, translated } from "./language";
 
 const kAtItsStart = 1; // s of exercise time, up to which a paused exercise has not begun
 
 const seats: Record<Seat, string> = {
-  forecastle: "Your seat: the forecastle. You have the windlass, repeat the bridge's orders back and report.",
-  conning: "Your seat: the bridge. You have the helm, and the line to the forecastle.",
-  trainee: "Your seats: the forecastle and the bridge. You have windlass and helm.",
-  watcher: "You watch both seats, and give no orders.",
-  observer: "You are here as an observer.",
-  assessor: "You are here as an assessor.",
-  instructor: "You are here as the instructor.",
+  forecastle: t("Your seat: the forecastle. You have the windlass, repeat the bridge's orders back and report."),
+  conning: t("Your seat: the bridge. You have the helm, and the line to the forecastle."),
+  trainee: t("Your seats: the forecastle and the bridge. You have windlass and helm."),
+  watcher: t("You watch both seats, and give no orders."),
+  observer: t("You are here as an observer."),
+  assessor: t("You are here as an assessor."),
+  instructor: t("You are here as the instructor."),
 };
 const staff = new Set<Seat>(["observer", "assessor", "instructor"]);
 
@@ -29,8 +30,8 @@ export class Briefing {
   readonly element: HTMLDialogElement;
   /** Says that the lesson is over, and why; hidden until then. */
   readonly lessonOver = h("p", { class: "lesson-over", role: "status", hidden: true });
-  private readonly title = h("h2", {});
-  private readonly text = h("p", { class: "text" });
+  private readonly title = h("h2", { lang: "en" });
+  private readonly text = h("p", { class: "text", lang: "en" });
   private readonly seat = h("p", {});
   private readonly over = h("p", { class: "over", role: "status" });
   private pieces: string[] = [];
@@ -49,14 +50,18 @@ export class Briefing {
         "div",
         { class: "row" },
         this.title,
-        h("button", { class: "plain", onclick: () => this.element.close() }, "Close"),
+        h("button", { class: "plain", onclick: () => this.element.close() }, t("Close")),
       ),
       this.text,
       this.seat,
       this.over,
     );
-    this.element.setAttribute("aria-label", "briefing");
-    this.button = h("button", { class: "plain", type: "button", hidden: true, onclick: () => this.open() }, "Briefing");
+    this.element.setAttribute("aria-label", t("briefing"));
+    this.button = h(
+      "button",
+      { class: "plain", type: "button", hidden: true, onclick: () => this.open() },
+      t("Briefing"),
+    );
     link.on("SeatEvent", ({ code, value, text }) => {
       if (code === "exercise.ready" || code === "exercise.restored" || code === "exercise.taken_up") {
         this.take([]);
@@ -83,8 +88,15 @@ export class Briefing {
   private say(): void {
     const { why } = this;
     this.lessonOver.hidden = !why;
-    const where = this.marks.button.hidden ? "your instructor tells you" : "stands under Marks";
-    setText(this.lessonOver, why && `${capital(why)}. What came of it ${where}.`);
+    const hidden = this.marks.button.hidden;
+    const over = capital(translated(why));
+    setText(
+      this.lessonOver,
+      why &&
+        (hidden
+          ? t("{over}. What came of it your instructor tells you.", { over })
+          : t("{over}. What came of it stands under Marks.", { over })),
+    );
   }
 
   private open(): void {
@@ -101,7 +113,7 @@ export class Briefing {
     setText(this.text, inChosenUnits(this.pieces.join(" ")));
     setText(this.seat, seats[hello.seat]);
     const over = status.state === RunState.RUN_FINISHED;
-    setText(this.over, over ? "The exercise is over." : "");
+    setText(this.over, over ? t("The exercise is over.") : "");
     const waits =
       status.state === RunState.RUN_READY || (status.state === RunState.RUN_PAUSED && status.time < kAtItsStart);
     if (waits && this.shownIn !== status.run && !staff.has(hello.seat)) {

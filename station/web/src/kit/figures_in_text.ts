@@ -4,6 +4,8 @@ import { cableSpeeds, figure, knots, loads } from "./units";
 
 /** "5.5 m/s", "between 2 and 4 m/s": the figures, what stands between them, and their unit. */
 const kFigures = /(?<![\d.])(\d+(?:\.\d+)?)(?:( and | to )(\d+(?:\.\d+)?))? (m\/s|kN)(?![\w/])/g;
+/** Briefings and reasons are English sentences, and so are their figures. */
+const inEnglish = (figure: string): string => figure.replace(",", ".");
 /** Where a sentence ends; not within a figure. */
 const kEnd = /[.;!?](?=\s|$)/g;
 /** Whose speed it is: the cable's, or what the bridge has in knots. */
@@ -33,7 +35,7 @@ export function inChosenUnits(text: string): string {
       if (measure?.unit.written === unit) return written;
       const si = (value: string): number => Number(value) * (unit === "kN" ? 1000 : 1);
       const shown = (value: string): string =>
-        measure ? measure.figure(si(value)) : figure(knots(si(value)), knots(si(value)) < 9.95 ? 1 : 0);
+        inEnglish(measure ? measure.figure(si(value)) : figure(knots(si(value)), knots(si(value)) < 9.95 ? 1 : 0));
       return `${shown(one)}${between ? between + shown(other) : ""} ${measure?.unit.written ?? "kn"}`;
     },
   );

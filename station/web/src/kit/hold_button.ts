@@ -2,6 +2,7 @@
 // made by assistive technology, which has no pointer), a second click within 3 s does the same.
 
 import { h, setAttribute, setText } from "./dom";
+import { t } from "./language";
 
 const kAgain = 3000; // ms
 
@@ -101,8 +102,12 @@ export function holdButton(
   props: { [name: string]: unknown } = {},
 ): HTMLButtonElement {
   const words = h("span", {}, text);
-  const button = h("button", { title: `hold for ${seconds} s`, "aria-description": "hold to do it", ...props }, words);
-  const waits = (again: boolean): void => setText(words, again ? `${text}: again to confirm` : text);
+  const button = h(
+    "button",
+    { title: t("hold for {seconds} s", { seconds }), "aria-description": t("hold to do it"), ...props },
+    words,
+  );
+  const waits = (again: boolean): void => setText(words, again ? t("{text}: again to confirm", { text }) : text);
   new HoldGuard(button, () => seconds * 1000, act, waits);
   return button;
 }

@@ -3,10 +3,11 @@
 import type { Connection } from "../wire/connection";
 import { h, setAttribute, setText } from "./dom";
 import { showsTopic } from "./live";
+import { t } from "./language";
 
 const kSignals = [
-  ["anchor_ball", "Anchor ball", "hoisted", "down"],
-  ["anchor_lights", "Anchor lights", "on", "off"],
+  ["anchor_ball", t("Anchor ball"), t("hoisted"), t("down|of the anchor ball")],
+  ["anchor_lights", t("Anchor lights"), t("on|lights"), t("off|lights")],
 ] as const;
 
 export class LightsAndShapesPanel {
@@ -27,7 +28,7 @@ export class LightsAndShapesPanel {
     });
     this.element = h(
       "div",
-      { class: "lights-and-shapes", role: "group", "aria-label": "lights and shapes" },
+      { class: "lights-and-shapes", role: "group", "aria-label": t("lights and shapes") },
       ...this.buttons.map(({ button }) => button),
       this.refusal,
     );
@@ -56,7 +57,7 @@ export class LightsAndShapesPanel {
       await this.link.order("LightsAndShapesCommand", { anchor_ball, anchor_lights, [field]: !shown[field] });
       setText(this.refusal, "");
     } catch (why) {
-      setText(this.refusal, `Not done: ${(why as Error).message}`);
+      setText(this.refusal, t("Not done: {why}", { why: (why as Error).message }));
     }
   }
 }

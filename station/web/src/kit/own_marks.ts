@@ -8,6 +8,7 @@ import { inChosenUnits } from "./figures_in_text";
 import { written } from "./orders";
 import { clock, measures } from "./units";
 import { capital, outcomeSaid, reportRows, stateSaid } from "./words";
+import { t } from "./language";
 
 const kToWorkOn = 3; // criteria that are named first: nobody mends ten things at once
 const kNotInPlay = CriterionState.CRITERION_NOT_IN_PLAY;
@@ -25,13 +26,18 @@ export function toWorkOn(criteria: Criterion[]): Criterion[] {
 
 /** "Achieved: 87 of 100 points, 70 are needed". */
 export function headline({ outcome, score, pass }: Pick<Assessment, "outcome" | "score" | "pass">): string {
-  return `${capital(outcomeSaid(outcome))}: ${score.toFixed(0)} of 100 points, ${pass} are needed`;
+  return t("{outcome}: {score} of 100 points, {pass} are needed", {
+    outcome: capital(outcomeSaid(outcome)),
+    score: score.toFixed(0),
+    pass,
+  });
 }
 
 /** When the report came against what it told of: "2 s early", "8 s after it", "at once". */
 export function delayWords(delay: number): string {
   const s = Math.round(Math.abs(delay));
-  return s === 0 ? "at once" : `${s} s ${delay < 0 ? "early" : "after it"}`;
+  if (s === 0) return t("at once");
+  return delay < 0 ? t("{s} s early", { s }) : t("{s} s after it", { s });
 }
 
 export class OwnMarks {
@@ -39,26 +45,26 @@ export class OwnMarks {
   readonly button: HTMLButtonElement;
   readonly element: HTMLDialogElement;
   private readonly head = h("h2", {});
-  private readonly body = h("div", { class: "scroll", tabIndex: 0, role: "group", "aria-label": "marks" });
+  private readonly body = h("div", { class: "scroll", tabIndex: 0, role: "group", "aria-label": t("marks") });
   private shown: Assessment | undefined;
   private readonly listeners = new Set<(told: boolean) => void>();
 
   constructor(private readonly link: Connection) {
     this.element = h(
       "dialog",
-      { class: "briefing own-marks panel", "aria-label": "what came of it" },
+      { class: "briefing own-marks panel", "aria-label": t("what came of it") },
       h(
         "div",
         { class: "row" },
         this.head,
-        h("button", { class: "plain", onclick: () => this.element.close() }, "Close"),
+        h("button", { class: "plain", onclick: () => this.element.close() }, t("Close")),
       ),
       this.body,
     );
     this.button = h(
       "button",
       { class: "plain", type: "button", hidden: true, onclick: () => this.element.open || this.element.showModal() },
-      "Marks",
+      t("Marks"),
     );
     link.on("SeatAssessment", (assessment) => this.tell(assessment));
     link.on("BridgeOrder", () => this.shown && this.fill(this.shown));
@@ -89,31 +95,32 @@ export class OwnMarks {
     const neverAs = [...new Set(never.map(stateSaid))];
     setText(this.head, headline(assessment));
     const parts = [
-      assessment.abort && h("p", {}, `It ended before it was done: ${assessment.abort}.`),
-      section("To work on next time", wrong.slice(0, kToWorkOn).map(criterionRow)),
-      section("Also missed", wrong.slice(kToWorkOn).map(criterionRow)),
-      section("What went well", well.map(criterionRow)),
+      assessment.abort && h("p", {}, t("It ended before it was done: {why}.", { why: assessment.abort })),
+      section(t("To work on next time"), wrong.slice(0, kToWorkOn).map(criterionRow)),
+      section(t("Also missed"), wrong.slice(kToWorkOn).map(criterionRow)),
+      section(t("What went well"), well.map(criterionRow)),
       ...neverAs.map((said) =>
         section(capital(said), [
           h("li", {}, never.flatMap((one) => (stateSaid(one) === said ? spaced(one.code) : [])).join(", ")),
         ]),
       ),
       section(
-        "What was to be learnt",
+        t("What was to be learnt"),
         assessment.objectives.map(({ text, id, outcome }) =>
           h("li", { "data-outcome": outcome }, `${text || spaced(id)}: ${outcomeSaid(outcome)}`),
         ),
       ),
-      section("Orders", this.orders(assessment, at)),
+      section(t("Orders"), this.orders(assessment, at)),
       section(
-        "Your reports",
+        t("Your reports"),
         assessment.reports.map(({ tick, code, milli, timed, delay, text }) => {
           const row = reportRows[code];
           const right = milli >= kRight;
+          const how = right ? t("right|of a report") : t("not right|of a report");
           return h(
             "li",
             { "data-right": right ? "" : undefined },
-            `${at(tick)} ${row?.label ?? row?.said ?? ""}: ${right ? "right" : "not right"}`,
+            `${at(tick)} ${row?.label ?? row?.said ?? ""}: ${how}`,
             h("span", { class: "quiet" }, [timed && delayWords(delay), inChosenUnits(text)].filter(Boolean).join(", ")),
           );
         }),
@@ -128,7 +135,7 @@ export class OwnMarks {
     return orders.flatMap(({ number, tick }) => {
       const order = given.find((each) => each.number === number);
       if (!order) return [];
-      const done = tick > 0 ? `carried out ${at(tick)}` : "not carried out";
+      const done = tick > 0 ? t("carried out {time}", { time: at(tick) }) : t("not carried out");
       return [h("li", {}, `${clock(order.time)} ${written(order)}`, h("span", { class: "quiet" }, done))];
     });
   }
@@ -143,11 +150,14 @@ function section(title: string, rows: HTMLElement[]): HTMLElement | false {
 
 /** Its reason begins with the moment at which it went wrong. */
 function criterionRow(criterion: Criterion): HTMLElement {
-  const points = `${((criterion.weight * criterion.counted) / 1000).toFixed(0)} of ${criterion.weight}`;
+  const points = t("{points} of {most}", {
+    points: ((criterion.weight * criterion.counted) / 1000).toFixed(0),
+    most: criterion.weight,
+  });
   return h(
     "li",
     { "data-met": criterion.met ? "" : undefined },
-    `${capital(spaced(criterion.code))}${criterion.must ? " (must)" : ""}: ${points}`,
+    `${capital(spaced(criterion.code))}${criterion.must ? ` ${t("(must)")}` : ""}: ${points}`,
     criterion.reason && h("span", {}, inChosenUnits(criterion.reason)),
     criterion.text && h("span", { class: "quiet" }, inChosenUnits(criterion.text)),
   );

@@ -7,6 +7,7 @@ import { byId, h, setShown, setText } from "./dom";
 import { LiveWatch, isUnheard } from "./live";
 import { proposePalette } from "./palette";
 import { TopBar } from "./top_bar";
+import { t, titlePage } from "./language";
 
 export interface Page {
   link: Connection;
@@ -46,13 +47,13 @@ export function pageAddress(path: string, query: Record<string, string> = {}): s
 
 /** Opens a page of the station, which is of no exercise. */
 export function openPage(title: string): Page {
-  const page = open();
+  const page = open(title);
   return dress(page, new TopBar(page.link, title));
 }
 
 /** Opens a page of an exercise. title: of the seat; view: the topic by which the seat sees the exercise. */
 export function openExercisePage(title: string, view: TopicName): ExercisePage {
-  const page = open();
+  const page = open(title);
   const { link } = page;
   const alerts = new AlertPanel(link);
   const topBar = new TopBar(link, title, alerts);
@@ -61,7 +62,8 @@ export function openExercisePage(title: string, view: TopicName): ExercisePage {
   return { ...dress(page, topBar), alerts };
 }
 
-function open(): Omit<Page, "topBar"> {
+function open(title: string): Omit<Page, "topBar"> {
+  titlePage(title);
   const query = new URLSearchParams(location.search);
   const still = query.get("still") === "1";
   document.documentElement.classList.toggle("still", still);
@@ -79,20 +81,20 @@ function dress(page: Omit<Page, "topBar">, topBar: TopBar): Page {
 
 /** Lies over the page while nothing is heard: what it shows then is old. */
 function veil(link: Connection): HTMLElement {
-  const title = h("strong", {}, "No connection");
+  const title = h("strong", {}, t("No connection"));
   const text = h("p", {});
   const element = h("div", { class: "veil", role: "alert", hidden: true }, title, text);
   link.onState((state) => {
     element.hidden = state === "open";
-    if (state === "connecting") text.textContent = "Looking for the station program ...";
+    if (state === "connecting") text.textContent = t("Looking for the station program ...");
     else if (state === "lost")
-      text.textContent = "What is shown is old. Levers were let go. Trying again until the station answers ...";
+      text.textContent = t("What is shown is old. Levers were let go. Trying again until the station answers ...");
     else if (state === "refused") {
-      title.textContent = link.hello ? "This station was started again" : "Not let in";
+      title.textContent = link.hello ? t("This station was started again") : t("Not let in");
       text.textContent = link.hello
-        ? "This page is of its earlier run and stays shut. Open the address that the station has printed anew."
-        : `The station says: ${link.refusal}.`;
-    } else if (state === "closed") text.textContent = "This page and the station do not fit together: load it anew.";
+        ? t("This page is of its earlier run and stays shut. Open the address that the station has printed anew.")
+        : t("The station says: {refusal}.", { refusal: link.refusal });
+    } else if (state === "closed") text.textContent = t("This page and the station do not fit together: load it anew.");
   });
   return element;
 }
@@ -111,7 +113,8 @@ function silence(link: Connection, view: TopicName, topBar: TopBar, alerts: Aler
       unheard = !unheard;
       alerts.update();
     }
-    if (silent > 0) setText(element, `Nothing heard of the exercise for ${silent} s: what is shown is old`);
+    if (silent > 0)
+      setText(element, t("Nothing heard of the exercise for {silent} s: what is shown is old", { silent }));
   });
   return element;
 }

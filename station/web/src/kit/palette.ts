@@ -1,5 +1,7 @@
 // Day, dusk, night: OpenBridge's palettes. The exercise's time of day proposes one, the user disposes.
 
+import { t } from "./language";
+
 export const palettes = ["bright", "day", "dusk", "night"] as const;
 export type Palette = (typeof palettes)[number];
 
@@ -16,6 +18,14 @@ function show(next: Palette): void {
   colours.clear();
   for (const listener of listeners) listener(next);
 }
+
+/** How the palette that is shown is called. */
+export const paletteWord = (): string =>
+  ({ bright: t("bright"), day: t("day"), dusk: t("dusk"), night: t("night") })[palette()];
+export const paletteLabel = (): string => t("palette: {palette}", { palette: paletteWord() });
+
+/** To the next of them, by the user. */
+export const nextPalette = (): void => choosePalette(palettes[(palettes.indexOf(palette()) + 1) % palettes.length]!);
 
 /** By the user, kept in this browser. */
 export function choosePalette(next: Palette): void {

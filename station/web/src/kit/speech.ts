@@ -2,6 +2,7 @@
 // only: others send what they say to a service, and nothing leaves this computer unasked.
 
 import { h, setAttribute, setText } from "./dom";
+import { t } from "./language";
 
 const kChosen = "windlass.voice";
 const kWaiting = 2; // words that may wait: those of an exercise that is hurried are dropped, the newest is heard
@@ -53,7 +54,7 @@ export class Speech {
 
   private show(): void {
     this.button.hidden = this.voice() === undefined;
-    setText(this.button, this.on ? "voice on" : "voice off");
+    setText(this.button, this.on ? t("voice on") : t("voice off"));
     setAttribute(this.button, "aria-pressed", `${this.on}`);
   }
 }

@@ -5,16 +5,18 @@ import { type ExerciseStatus, RunState } from "../wire/generated";
 import type { AlertPanel } from "./alerts";
 import { h, setText } from "./dom";
 import { runStateWords } from "./run_state";
-import { choosePalette, onPalette, palette, palettes } from "./palette";
+import { nextPalette, onPalette, paletteLabel, paletteWord } from "./palette";
 import { UnitChoice } from "./unit_choice";
 import { clock, figure } from "./units";
+import { t } from "./language";
+import { languageButton } from "./language_choice";
 
 export class TopBar {
   readonly element: HTMLElement;
   /** For what a page adds: who has the levers, buttons. */
   readonly middle = h("div", { class: "middle" });
   private readonly exercise = h("span", { class: "exercise" });
-  private readonly time = h("span", { class: "time", role: "timer", "aria-label": "exercise time" });
+  private readonly time = h("span", { class: "time", role: "timer", "aria-label": t("exercise time") });
   private readonly state = h("span", { class: "state" });
   private latest = (): ExerciseStatus | undefined => undefined;
   private silent = false;
@@ -25,16 +27,16 @@ export class TopBar {
       "button",
       {
         class: "plain",
-        onclick: () => choosePalette(palettes[(palettes.indexOf(palette()) + 1) % palettes.length]!),
+        onclick: nextPalette,
       },
-      palette(),
+      paletteWord(),
     );
-    choice.setAttribute("aria-label", `palette: ${palette()}`);
-    onPalette((p) => {
-      setText(choice, p);
-      choice.setAttribute("aria-label", `palette: ${p}`);
+    choice.setAttribute("aria-label", paletteLabel());
+    onPalette(() => {
+      setText(choice, paletteWord());
+      choice.setAttribute("aria-label", paletteLabel());
     });
-    const units = alerts && new UnitChoice();
+    const units = alerts && new UnitChoice(() => link.holdsAny());
     this.element = h(
       "header",
       { class: "top-bar" },
@@ -46,6 +48,7 @@ export class TopBar {
       alerts?.button,
       units?.button,
       units?.element,
+      !units && languageButton(),
       choice,
     );
     if (alerts) this.follow(link);
@@ -77,8 +80,9 @@ export class TopBar {
     const achieved = status.time_scale_achieved;
     const slow = running && status.time_scale > 0 && achieved < 0.9 * status.time_scale;
     const scale = running ? ` x${figure(status.time_scale, status.time_scale % 1 ? 1 : 0)}` : "";
-    const words = `${runStateWords(status.state)}${scale}${slow ? ` (x${figure(achieved, 1)} achieved)` : ""}`;
-    setText(this.state, this.silent ? "not heard" : words);
+    const falls = slow ? ` ${t("(x{scale} achieved)", { scale: figure(achieved, 1) })}` : "";
+    const words = `${runStateWords(status.state)}${scale}${falls}`;
+    setText(this.state, this.silent ? t("not heard") : words);
     this.state.dataset.state = this.silent ? "silent" : RunState[status.state];
   }
 }

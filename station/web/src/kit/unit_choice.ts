@@ -1,7 +1,9 @@
 // In which units loads and the cable's speed are read: a button that says it, and a dialog to choose.
 
 import { h, setAttribute, setText } from "./dom";
-import { type Measure, measures } from "./units";
+import { t, translated } from "./language";
+import { LanguageChoice } from "./language_choice";
+import { type Measure, measures, unitWritten } from "./units";
 import { capital } from "./words";
 
 let groups = 0;
@@ -15,9 +17,9 @@ function choiceOf(measure: Measure): HTMLElement {
   return h(
     "fieldset",
     {},
-    h("legend", {}, capital(measure.kind)),
-    ...measure.options.map(({ written, many }, i) =>
-      h("label", {}, boxes[i], h("b", {}, written), h("span", { class: "quiet" }, many)),
+    h("legend", {}, capital(translated(measure.kind))),
+    ...measure.options.map((unit, i) =>
+      h("label", {}, boxes[i], h("b", {}, unitWritten(unit)), h("span", { class: "quiet" }, translated(unit.many))),
     ),
   );
 }
@@ -26,22 +28,24 @@ export class UnitChoice {
   readonly button: HTMLButtonElement;
   readonly element: HTMLDialogElement;
 
-  constructor() {
+  /** inHand: whether a hand of this page is on levers. */
+  constructor(inHand: () => boolean) {
     this.element = h(
       "dialog",
-      { class: "units panel", "aria-label": "units" },
+      { class: "units panel", "aria-label": t("units") },
       h(
         "div",
         { class: "row" },
-        h("h2", {}, "Units"),
-        h("button", { class: "plain", onclick: () => this.element.close() }, "Close"),
+        h("h2", {}, t("Units")),
+        h("button", { class: "plain", onclick: () => this.element.close() }, t("Close")),
       ),
       h(
         "p",
         { class: "quiet" },
-        "Kept in this browser. Ship, wind and stream are in knots, cable out in metres and shackles.",
+        t("Kept in this browser. Ship, wind and stream are in knots, cable out in metres and shackles."),
       ),
       ...measures.map(choiceOf),
+      new LanguageChoice(inHand).element,
     );
     this.button = h("button", { class: "plain", onclick: () => this.element.showModal() });
     for (const measure of measures) measure.onChoice(() => this.show());
@@ -49,8 +53,8 @@ export class UnitChoice {
   }
 
   private show(): void {
-    const written = measures.map(({ unit }) => unit.written).join(", ");
+    const written = measures.map(({ unit }) => unitWritten(unit)).join(", ");
     setText(this.button, written);
-    setAttribute(this.button, "aria-label", `units: ${written}`);
+    setAttribute(this.button, "aria-label", t("units: {written}", { written }));
   }
 }

@@ -1,6 +1,7 @@
 // Figures as the trade reads them; what a unit is in SI says words.json.
 
 import { units } from "../../../../words/words.json";
+import { t, translated, writtenFigure } from "./language";
 
 /** What a figure counts, and what one of it is in SI. */
 export type Unit = (typeof units)[keyof typeof units];
@@ -47,14 +48,18 @@ export function timeOfDay(time: number): string {
   return `${String(Math.floor(minutes / 60) % 24).padStart(2, "0")}:${String(minutes % 60).padStart(2, "0")}`;
 }
 
-/** A figure with that many decimals and a true minus; "-" for what is no number. */
+/** A figure with that many decimals, a true minus and the language's comma; "-" for what is no number. */
 export function figure(value: number, decimals = 0): string {
   if (!Number.isFinite(value)) return "-";
   const text = value.toFixed(decimals);
-  return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "\u2212");
+  return writtenFigure((Number(text) === 0 ? text.replace("-", "") : text).replace("-", "\u2212"));
 }
 
+/** As orders and reports name it, in English. */
 export const sideName = (side: number): string => (side === 0 ? "port" : side === 1 ? "starboard" : "both");
+
+/** In the person's language. */
+export const sideWord = (side: number): string => (side === 0 ? t("port") : side === 1 ? t("starboard") : t("both"));
 
 /**
  * A kind of figure that people read in different units: whoever looks chooses one, and the browser keeps it. Figures
@@ -111,7 +116,7 @@ export class Measure {
 
   /** "4.6 t". */
   text(si: number): string {
-    return `${this.figure(si)} ${this.chosen.written}`;
+    return `${this.figure(si)} ${unitWritten(this.chosen)}`;
   }
 
   private get key(): string {
@@ -146,6 +151,9 @@ export const cableSpeeds = new Measure(
   [units.metre_a_minute, units.knot, units.metre_a_second],
   (_, unit) => (unit === units.metre_a_minute ? 0 : unit === units.knot ? 1 : 2),
 );
+
+/** As it stands behind a figure: "t"; of an order or report: Unit.written. */
+export const unitWritten = (unit: Unit): string => translated(unit.written);
 
 /** All of them. */
 export const measures: readonly Measure[] = [loads, cableSpeeds];

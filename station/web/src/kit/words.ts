@@ -1,7 +1,7 @@
 // What people read and hear, of words.json: the row of an enumerator, and the sentences of orders and reports, filled
 // in as words.cpp fills them in.
 
-import { enumerations, report_pad, units } from "../../../../words/words.json";
+import { alerts, enumerations, events, report_pad, units } from "../../../../words/words.json";
 import {
   BridgeOrderCode,
   CableWeight,
@@ -13,7 +13,9 @@ import {
   type Soil,
   StayGiven,
 } from "../wire/generated";
-import { type Unit, sideName } from "./units";
+import { translated, translatedAs } from "./language";
+import { type Unit, sideName, sideWord } from "./units";
+import { serverSentences } from "./server_sentences";
 
 type Enumeration = keyof typeof enumerations;
 
@@ -52,15 +54,27 @@ export const orderLabel = (code: BridgeOrderCode): string => orderRows[code]?.la
 export const reportRows: readonly ReportRow[] = enumerations.ReportCode.oneOf;
 export const padLeaves: readonly PadLeaf[] = report_pad;
 
+/** What orders and reports are made of: English, in every language. */
+const kSpoken = new Set<Enumeration>(["BridgeOrderCode", "ReportCode", "StayGiven", "Growing", "CableWeight"]);
+
+const inEnglish = (enumeration: Enumeration, place: number): string =>
+  enumerations[enumeration].oneOf[place]?.said ?? "";
+
 /** What is written for an enumerator; empty for one that words.json does not have. */
 export function saidOf(enumeration: Enumeration, place: number): string {
-  return enumerations[enumeration].oneOf[place]?.said ?? "";
+  const said = inEnglish(enumeration, place);
+  return kSpoken.has(enumeration) ? said : translated(said);
 }
+
+/** How an enumerator is called in files and style sheets: "alarm". */
+export const nameOf = (enumeration: Enumeration, place: number): string =>
+  enumerations[enumeration].oneOf[place]?.const ?? "";
 
 /** "not met"; of a criterion that an assessor judges and has not, "not judged". */
 export function stateSaid({ state, kind }: Pick<Criterion, "state" | "kind">): string {
   const row: { unjudged?: string } | undefined = enumerations.CriterionKind.oneOf[kind];
-  return (state === CriterionState.CRITERION_NOT_IN_PLAY && row?.unjudged) || saidOf("CriterionState", state);
+  const unjudged = state === CriterionState.CRITERION_NOT_IN_PLAY && row?.unjudged;
+  return unjudged ? translated(unjudged) : saidOf("CriterionState", state);
 }
 
 /** Of the soil on a chart (INT 1, section J): "S", "M" ... */
@@ -71,10 +85,11 @@ export const placeOf = (enumeration: Enumeration, name: string): number =>
   enumerations[enumeration].oneOf.findIndex((row) => row.const === name);
 
 /** What is written for each enumerator, in their order. */
-export const allSaid = (enumeration: Enumeration): string[] => enumerations[enumeration].oneOf.map(({ said }) => said);
+export const allSaid = (enumeration: Enumeration): string[] =>
+  enumerations[enumeration].oneOf.map((_, place) => saidOf(enumeration, place));
 
 /** Of Assessment.outcome and an objective's: "not yet"; empty while it runs. */
-export const outcomeSaid = (outcome: string): string => outcome.replace("_", " ");
+export const outcomeSaid = (outcome: string): string => translated(outcome.replace("_", " "));
 
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
@@ -142,9 +157,9 @@ export function reportText(
   if (!row) return report.text;
   const sentence = (aloud && row.spoken) || row.said;
   const hour = report.lead > 0 ? `${aloud ? aloud(report.lead) : report.lead} o'clock` : "";
-  const stay = saidOf("StayGiven", report.stay);
-  const growing = saidOf("Growing", report.growing);
-  const weight = saidOf("CableWeight", report.weight);
+  const stay = inEnglish("StayGiven", report.stay);
+  const growing = inEnglish("Growing", report.growing);
+  const weight = inEnglish("CableWeight", report.weight);
   const unit = unitOf(row.unit);
   const fill = (place: string): string => {
     if (place === "figure" && unit) return figure(report.value, unit);
@@ -173,4 +188,44 @@ export function reportText(
 export function withSide(side: number, text: string): string {
   const named = side !== 0 && side !== 1 ? true : new RegExp(`\\b${sideName(side)}\\b`).test(text);
   return named ? text : `${sideName(side)}: ${text}`;
+}
+
+interface EventRow {
+  const: string;
+  said?: string;
+  seat_said?: string;
+  seat_code?: string;
+}
+const eventRows: readonly EventRow[] = [...events.waited_for.oneOf, ...events.told.oneOf];
+
+/** An event's sentence in the person's language, as it came where that has none. */
+export function eventText({ code, text }: { code: string; text: string }): string {
+  const row = eventRows.find((each) => each.const === code || each.seat_code === code);
+  const sentences = [row?.seat_said, row?.said, ...(serverSentences[code] ?? [])];
+  for (const sentence of sentences) {
+    const found = sentence === undefined ? text : translatedAs(sentence, text);
+    if (found !== text) return found;
+  }
+  return text;
+}
+
+/** The same with its side before it, unless the sentence names it. */
+export function eventLine(event: { code: string; text: string; side: number }): string {
+  const text = eventText(event);
+  const english = withSide(event.side, event.text);
+  if (text === event.text) return english;
+  return english === event.text ? text : `${sideWord(event.side)}: ${text}`;
+}
+
+/** What an alert says and explains, in the person's language. */
+export function alertWords(alert: { code: string; text: string; explanation: string }): {
+  text: string;
+  explanation: string;
+} {
+  const row = alerts.find(({ code }) => code === alert.code);
+  if (!row) return alert;
+  return {
+    text: translatedAs(row.said, alert.text),
+    explanation: translatedAs(row.explanation, alert.explanation),
+  };
 }

@@ -9,6 +9,7 @@ import { ExerciseFiles, type Checked, type Listing } from "./files";
 import { Form } from "./form";
 import { type JsonObject, placeWords, textOf } from "./json";
 import { Sections } from "./sections";
+import { t } from "../kit/language";
 
 const kDraft = "windlass.lesson"; // what is not saved yet, in this browser
 const kQuiet = 400; // ms without a change before it is checked
@@ -27,22 +28,22 @@ class Editor {
   private readonly notice = h("p", { class: "notice", role: "status", "aria-live": "polite" });
   private readonly name = h("input", {
     type: "text",
-    "aria-label": "file name",
+    "aria-label": t("file name"),
     maxLength: 64,
     spellcheck: false,
     oninput: () => this.showSaving(),
   });
-  private readonly told = h("ol", { class: "told", "aria-label": "mistakes" });
+  private readonly told = h("ol", { class: "told", "aria-label": t("mistakes") });
   private readonly verdict = h("p", { class: "verdict", role: "status" });
   private readonly save = h(
     "button",
     { type: "button", class: "plain primary", onclick: () => void this.store("") },
-    "Save as new",
+    t("Save as new"),
   );
-  private readonly over = holdButton("Save over", 0.8, () => void this.store(this.opened.stamp), { class: "plain" });
-  private readonly into = h("select", { "aria-label": "exercise to load it into" });
-  private readonly load = holdButton("Load", 0.8, () => void this.loadInto(), { class: "plain" });
-  private readonly desk = h("a", { class: "button", hidden: true }, "Desk");
+  private readonly over = holdButton(t("Save over"), 0.8, () => void this.store(this.opened.stamp), { class: "plain" });
+  private readonly into = h("select", { "aria-label": t("exercise to load it into") });
+  private readonly load = holdButton(t("Load"), 0.8, () => void this.loadInto(), { class: "plain" });
+  private readonly desk = h("a", { class: "button", hidden: true }, t("Desk"));
   private names: Listing = { files: [], events: [], faults: [] };
   private form: Form | undefined;
   private opened: Draft = { name: "", text: "", stamp: "" };
@@ -53,29 +54,29 @@ class Editor {
   constructor(private readonly page: Page) {
     this.files = new ExerciseFiles(page.link);
     page.topBar.middle.append(
-      h("a", { class: "plain", href: pageAddress("/classroom") }, "Classroom"),
-      h("a", { class: "plain", href: pageAddress("/instructor") }, "Desk"),
+      h("a", { class: "plain", href: pageAddress("/classroom") }, t("Classroom")),
+      h("a", { class: "plain", href: pageAddress("/instructor") }, t("Desk")),
     );
     page.root.classList.add("lessons");
     page.root.append(
       h(
         "section",
-        { class: "panel choose", "aria-label": "exercises" },
-        h("h2", {}, "Lessons and exercises"),
+        { class: "panel choose", "aria-label": t("exercises") },
+        h("h2", {}, t("Lessons and exercises")),
         this.list,
       ),
       this.sections.bar,
       h(
         "section",
-        { class: "editor panel", "aria-label": "the exercise" },
+        { class: "editor panel", "aria-label": t("the exercise") },
         h(
           "div",
-          { class: "bar", role: "toolbar", "aria-label": "file" },
-          h("label", { class: "row" }, "file", this.name),
+          { class: "bar", role: "toolbar", "aria-label": t("file") },
+          h("label", { class: "row" }, t("file"), this.name),
           this.save,
           this.over,
           h("span", { class: "gap" }),
-          h("label", { class: "row" }, "into", this.into),
+          h("label", { class: "row" }, t("into"), this.into),
           this.load,
           this.desk,
         ),
@@ -99,7 +100,7 @@ class Editor {
     else
       setText(
         this.verdict,
-        "Choose an exercise; a change is checked as it is made, and nothing is written before it is saved.",
+        t("Choose an exercise; a change is checked as it is made, and nothing is written before it is saved."),
       );
   }
 
@@ -132,14 +133,15 @@ class Editor {
       );
     this.list.replaceChildren(
       ...listing.files.filter((file) => file.lesson !== null).map(entry),
-      h("li", { class: "head quiet" }, "without a lesson"),
+      h("li", { class: "head quiet" }, t("without a lesson")),
       ...listing.files.filter((file) => file.lesson === null).map(entry),
     );
     if (first && this.form) this.draw(JSON.parse(this.opened.text) as JsonObject); // names to offer have come
   }
 
   private async open(name: string): Promise<void> {
-    if (this.changed() && !confirm(`${this.opened.name} has changes that are not saved. Leave them?`)) return;
+    if (this.changed() && !confirm(t("{name} has changes that are not saved. Leave them?", { name: this.opened.name })))
+      return;
     const read = await this.tried(this.files.read(name));
     if (read) this.take({ name, text: read.text, stamp: read.stamp }, read.text, read);
   }
@@ -194,8 +196,10 @@ class Editor {
     setText(
       this.verdict,
       mistakes.length
-        ? `${mistakes.length} ${mistakes.length === 1 ? "mistake" : "mistakes"}: it can be saved once there is none`
-        : "Sound.",
+        ? mistakes.length === 1
+          ? t("1 mistake: it can be saved once there is none")
+          : t("{count} mistakes: it can be saved once there is none", { count: mistakes.length })
+        : t("Sound."),
     );
     this.told.replaceChildren(
       ...mistakes.map((mistake) =>
@@ -210,7 +214,9 @@ class Editor {
           ),
         ),
       ),
-      ...doubts.map((doubt) => h("li", { class: "quiet" }, `may be a mistake: ${doubt.replace("/lesson/", "")}`)),
+      ...doubts.map((doubt) =>
+        h("li", { class: "quiet" }, t("may be a mistake: {doubt}", { doubt: doubt.replace("/lesson/", "") })),
+      ),
     );
   }
 
@@ -227,13 +233,13 @@ class Editor {
     const answer = await this.tried(this.files.save(name, text, over));
     if (!answer) return;
     this.tell(answer);
-    if (!answer.saved) return setText(this.notice, "Not saved: it has mistakes.");
+    if (!answer.saved) return setText(this.notice, t("Not saved: it has mistakes."));
     localStorage.removeItem(kDraft);
     this.opened = { name, text: this.opened.text, stamp: answer.stamp };
     this.saved = text;
     this.showSaving();
     await this.showList();
-    setText(this.notice, `Saved as ${name}.`);
+    setText(this.notice, t("Saved as {name}.", { name }));
   }
 
   private showSaving(): void {
@@ -242,7 +248,7 @@ class Editor {
     this.over.hidden = !own;
     this.save.disabled = this.over.disabled = !this.form;
     this.load.disabled = !this.form || this.changed() || !own;
-    this.load.title = this.load.disabled ? "save it first" : "hold for 0.8 s: the exercise that runs there ends";
+    this.load.title = this.load.disabled ? t("save it first") : t("hold for 0.8 s: the exercise that runs there ends");
   }
 
   private showExercises(): void {
@@ -260,7 +266,10 @@ class Editor {
       orderIn(exercise, "ExerciseCommand", { action: "EXERCISE_LOAD", exercise: this.opened.name }).then(() => true),
     );
     if (!given) return;
-    setText(this.notice, `${this.opened.name} is being loaded into ${exercise}: start it at its desk.`);
+    setText(
+      this.notice,
+      t("{name} is being loaded into {exercise}: start it at its desk.", { name: this.opened.name, exercise }),
+    );
     this.desk.href = pageAddress("/instructor", { exercise });
     this.desk.hidden = false;
   }

@@ -5,6 +5,7 @@ import type { Form } from "./form";
 import { type Json, type JsonObject, type Place, isObject, isScalar, placeIn, scalarText } from "./json";
 import { plainControl } from "./plain_fields";
 import { type Schema, blank, isPlain, label, meaning, quantities, resolved, typesOf } from "./schema";
+import { t } from "../kit/language";
 
 const kHint = 110; // characters of a description in a choice
 
@@ -26,7 +27,7 @@ function line(
     h("span", { class: "label" }, label(name)),
     h("span", { class: "control" }, ...plainControl(schema, place, form, `${context}${label(name)}`)),
     h("span", { class: "hint quiet" }, meaning(schema)),
-    remove && button("\u00d7", `take away ${context}${label(name)}`, remove),
+    remove && button("\u00d7", t("take away {what}", { what: `${context}${label(name)}` }), remove),
   );
 }
 
@@ -43,7 +44,12 @@ function field(
   return h(
     "fieldset",
     { class: "part", "data-at": place.pointer },
-    h("legend", {}, label(name), remove && button("\u00d7", `take away ${context}${label(name)}`, remove)),
+    h(
+      "legend",
+      {},
+      label(name),
+      remove && button("\u00d7", t("take away {what}", { what: `${context}${label(name)}` }), remove),
+    ),
     h("p", { class: "hint quiet" }, schema.description ?? ""),
     part(schema, place, form, `${context}${label(name)}: `),
   );
@@ -93,7 +99,7 @@ export function objectFields(schema: Schema, place: Place, form: Form, context: 
     if (others.length === 0) return;
     const add = h("select", {
       class: "add",
-      "aria-label": `${context}add a field`,
+      "aria-label": `${context}${t("add a field")}`,
       onchange: () => {
         const name = add.value;
         placeIn(place, name).set(blank(resolved(schema.properties![name]!)));
@@ -102,7 +108,7 @@ export function objectFields(schema: Schema, place: Place, form: Form, context: 
       },
     });
     add.append(
-      h("option", { value: "" }, "add \u2026"),
+      h("option", { value: "" }, t("add \u2026")),
       ...others.map(([name, inner]) =>
         h("option", { value: name }, `${label(name)}: ${meaning(inner).slice(0, kHint)}`),
       ),
@@ -146,7 +152,7 @@ function listFields(schema: Schema, place: Place, form: Form, context: string): 
     const inherits = given === undefined && Array.isArray(taken) && taken.length > 0;
     element.replaceChildren(
       ...list.map((value, i) => {
-        const name = `${context}entry ${i + 1}`;
+        const name = `${context}${t("entry {number}", { number: i + 1 })}`;
         const entry = placeIn(place, i);
         const words = h("span", { class: "summary" }, summary(value));
         const card = h(
@@ -156,15 +162,23 @@ function listFields(schema: Schema, place: Place, form: Form, context: string): 
           h(
             "div",
             { class: "tools" },
-            button("\u2191", `${name}: up`, () => i > 0 && change(i - 1, spliced(list, i - 1, 2, value, list[i - 1]!))),
+            button(
+              "\u2191",
+              `${name}: ${t("up|in a list")}`,
+              () => i > 0 && change(i - 1, spliced(list, i - 1, 2, value, list[i - 1]!)),
+            ),
             button(
               "\u2193",
-              `${name}: down`,
+              `${name}: ${t("down|in a list")}`,
               () => i + 1 < list.length && change(i + 1, spliced(list, i, 2, list[i + 1]!, value)),
             ),
-            button("copy", `${name}: copy`, () => change(i + 1, spliced(list, i + 1, 0, copyOf(value, list)))),
-            button("add after", `${name}: add after`, () => change(i + 1, spliced(list, i + 1, 0, blank(items)))),
-            button("take away", `${name}: take away`, () => change(-1, spliced(list, i, 1))),
+            button(t("copy"), `${name}: ${t("copy")}`, () =>
+              change(i + 1, spliced(list, i + 1, 0, copyOf(value, list))),
+            ),
+            button(t("add after"), `${name}: ${t("add after")}`, () =>
+              change(i + 1, spliced(list, i + 1, 0, blank(items))),
+            ),
+            button(t("take away"), `${name}: ${t("take away")}`, () => change(-1, spliced(list, i, 1))),
           ),
           part(items, entry, form, `${context}${(isObject(value) && scalarText(value.id)) || i + 1}: `),
         );
@@ -176,13 +190,15 @@ function listFields(schema: Schema, place: Place, form: Form, context: string): 
             h(
               "p",
               { class: "quiet" },
-              `${taken.length} taken over: `,
+              `${t("{count} taken over:", { count: taken.length })} `,
               ...taken.map((each) => h("span", { class: "taken" }, summary(each))),
             ),
-            button("change them here", `${context}change them here`, () => change(0, structuredClone(taken))),
+            button(t("change them here"), `${context}${t("change them here")}`, () =>
+              change(0, structuredClone(taken)),
+            ),
           ]
         : []),
-      button("add", `${context}add an entry`, () => change(list.length, [...list, blank(items)])),
+      button(t("add"), `${context}${t("add an entry")}`, () => change(list.length, [...list, blank(items)])),
     );
   };
   draw();
@@ -207,8 +223,8 @@ function namedFields(inner: Schema, place: Place, form: Form, context: string): 
     const name = h("input", {
       type: "text",
       class: "names",
-      "aria-label": `${context}name of a new one`,
-      placeholder: "name",
+      "aria-label": `${context}${t("name of a new one")}`,
+      placeholder: t("name|of an entry"),
     });
     const rename = (from: string, to: string): void => {
       if (!to || to in value) return;
@@ -222,7 +238,7 @@ function namedFields(inner: Schema, place: Place, form: Form, context: string): 
           type: "text",
           class: "names",
           value: key,
-          "aria-label": `${context}name of ${key}`,
+          "aria-label": `${context}${t("name of {key}", { key })}`,
           onchange: () => rename(key, own.value.trim()),
         });
         const entry = placeIn(place, key);
@@ -233,7 +249,7 @@ function namedFields(inner: Schema, place: Place, form: Form, context: string): 
             "legend",
             {},
             own,
-            button("\u00d7", `take away ${context}${key}`, () => {
+            button("\u00d7", t("take away {what}", { what: `${context}${key}` }), () => {
               entry.set(undefined);
               draw();
               form.changed();
@@ -246,7 +262,7 @@ function namedFields(inner: Schema, place: Place, form: Form, context: string): 
         "span",
         { class: "tools" },
         name,
-        button("add", `${context}add it`, () => {
+        button(t("add"), `${context}${t("add it")}`, () => {
           const key = name.value.trim();
           if (!key || key in value) return;
           placeIn(place, key).set({});
@@ -264,7 +280,7 @@ function namedFields(inner: Schema, place: Place, form: Form, context: string): 
 function raw(place: Place, form: Form, context: string): HTMLElement {
   const input = h("textarea", {
     rows: 4,
-    "aria-label": `${context}as JSON`,
+    "aria-label": `${context}${t("as JSON")}`,
     value: place.get() === undefined ? "" : JSON.stringify(place.get()),
     oninput: () => {
       try {

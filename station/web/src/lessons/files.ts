@@ -3,6 +3,7 @@
 import { type Connection, Refused } from "../wire/connection";
 import type { Json } from "./json";
 import type { Mistake, Names } from "./form";
+import { t } from "../kit/language";
 
 export interface FileEntry {
   name: string;
@@ -51,7 +52,10 @@ export class ExerciseFiles {
     const size = new TextEncoder().encode(JSON.stringify(message)).length;
     if (size > kLargest)
       throw new Refused(
-        `it has ${size} bytes; ${kLargest} are allowed: put ship, windlass or ground into files of their own`,
+        t("it has {size} bytes; {most} are allowed: put ship, windlass or ground into files of their own", {
+          size,
+          most: kLargest,
+        }),
       );
     let answer: unknown;
     const end = this.link.onMessage("exercise_files", (heard) => (answer = heard));

@@ -1,5 +1,7 @@
 // Plain JSON, places in it, and its text as the shipped exercises are written.
 
+import { t } from "../kit/language";
+
 export type Json = null | boolean | number | string | Json[] | JsonObject;
 export interface JsonObject {
   [name: string]: Json;
@@ -63,7 +65,7 @@ export function placeWords(document: Json, pointer: string): string {
     if (list) words.push(`${words.pop() ?? ""} ${Number(name) + 1}${named}`.trim());
     else words.push(name.replaceAll("_", " "));
   }
-  return words.join(", ") || "all of it";
+  return words.join(", ") || t("all of it");
 }
 
 const kWidth = 280; // columns in which an object or a list stays on one line

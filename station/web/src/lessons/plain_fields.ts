@@ -5,11 +5,15 @@ import type { Form } from "./form";
 import { type Json, type JsonObject, type Place, isObject, isScalar, scalarText } from "./json";
 import { type Schema, label, resolved, typesOf } from "./schema";
 import { inTrade } from "./trade";
+import { t, typedFigure } from "../kit/language";
 
 let lists = 0;
 
 /** What a figure that was typed becomes; what is none stays as it is, for the station to say what is allowed. */
-const figureOf = (text: string): Json => (text.trim() !== "" && Number.isFinite(Number(text)) ? Number(text) : text);
+const figureOf = (text: string): Json => {
+  const figure = Number(typedFigure(text));
+  return text.trim() !== "" && Number.isFinite(figure) ? figure : text;
+};
 
 const shown = (value: Json | undefined): string =>
   value === undefined ? "" : isScalar(value) ? `${value}` : JSON.stringify(value);
@@ -109,7 +113,7 @@ function names(schema: Schema, place: Place, form: Form, name: string): HTMLElem
     // sentences, which have commas of their own
     const lines = h("textarea", {
       rows: 4,
-      "aria-label": `${name}, one a line`,
+      "aria-label": `${name}, ${t("one a line")}`,
       value: now().map(shown).join("\n"),
       oninput: () =>
         put(
@@ -126,7 +130,7 @@ function names(schema: Schema, place: Place, form: Form, name: string): HTMLElem
   const input = h("input", {
     type: "text",
     class: "names",
-    "aria-label": `${name}, with commas between`,
+    "aria-label": `${name}, ${t("with commas between")}`,
     placeholder: form.takenOver(place.pointer) !== undefined ? shown(form.takenOver(place.pointer)) : "a, b",
     value: now().map(shown).join(", "),
     oninput: () => {
@@ -139,16 +143,18 @@ function names(schema: Schema, place: Place, form: Form, name: string): HTMLElem
   });
   if (offers.length === 0) return [input];
   const add = h("select", {
-    "aria-label": `${name}: add one`,
+    "aria-label": `${name}: ${t("add one")}`,
     onchange: () => {
       put([...now(), add.value]);
       input.value = now().map(shown).join(", ");
       add.value = "";
     },
   });
-  add.append(h("option", { value: "" }, "add \u2026"), ...offers.map((value) => h("option", { value }, value)));
+  add.append(h("option", { value: "" }, t("add \u2026")), ...offers.map((value) => h("option", { value }, value)));
   return [input, add];
 }
+
+const kAtLeast = t("at least");
 
 /** A figure alone ("at least"), or what it lies above and below. */
 function bounds(schema: Schema, place: Place, form: Form, name: string): HTMLElement[] {
@@ -170,7 +176,7 @@ function bounds(schema: Schema, place: Place, form: Form, name: string): HTMLEle
         form.changed();
       },
     });
-    if (words === "at least") input.dataset.alone = "1";
+    if (words === kAtLeast) input.dataset.alone = "1";
     const trade = h(
       "span",
       { class: "trade quiet" },
@@ -180,7 +186,7 @@ function bounds(schema: Schema, place: Place, form: Form, name: string): HTMLEle
   };
   holder.append(
     one(
-      "at least",
+      kAtLeast,
       () => (isObject(place.get()) ? undefined : place.get()),
       (value) => place.set(value),
     ),
@@ -219,13 +225,13 @@ export function plainControl(schema: Schema, place: Place, form: Form, name: str
     return [
       choice(
         [
-          [true, "yes"],
-          [false, "no"],
+          [true, t("yes")],
+          [false, t("no")],
         ],
         place,
         form,
         name,
-        taken === undefined ? "\u2013" : taken ? "(yes)" : "(no)",
+        taken === undefined ? "\u2013" : taken ? `(${t("yes")})` : `(${t("no")})`,
       ),
     ];
   if (types.includes("object")) return bounds(schema, place, form, name);

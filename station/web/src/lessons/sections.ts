@@ -5,6 +5,7 @@ import { objectFields, part } from "./fields";
 import { type Form, type Mistake, placeOf } from "./form";
 import { type JsonObject, type Place, placeIn, scalarText, wholeOf } from "./json";
 import { type Schema, exerciseSchema, isPlain, label, lessonSchema, resolved } from "./schema";
+import { t } from "../kit/language";
 
 interface Section {
   title: string;
@@ -17,6 +18,9 @@ interface Section {
 }
 
 const within = (pointer: string, root: string): boolean => pointer === root || pointer.startsWith(`${root}/`);
+
+/** How the groups are called. */
+const groups = { Lesson: t("Lesson"), Exercise: t("Exercise") };
 
 /** The plain fields of an object as one section, each of its parts as another. */
 function sectionsOf(
@@ -67,13 +71,13 @@ function sectionsOf(
 }
 
 const sections: readonly Section[] = [
-  ...sectionsOf("Lesson", lessonSchema, "/lesson", (document) => placeIn(wholeOf(document), "lesson"), "Briefing"),
-  ...sectionsOf("Exercise", exerciseSchema, "", wholeOf, "Name and title"),
+  ...sectionsOf("Lesson", lessonSchema, "/lesson", (document) => placeIn(wholeOf(document), "lesson"), t("Briefing")),
+  ...sectionsOf("Exercise", exerciseSchema, "", wholeOf, t("Name and title")),
 ];
 
 /** The form of a document with a bar of its sections; one is shown at a time, as long as the page is open the same. */
 export class Sections {
-  readonly bar = h("nav", { class: "sections", "aria-label": "sections" });
+  readonly bar = h("nav", { class: "sections", "aria-label": t("sections") });
   readonly element = h("div", { class: "form" });
   private form: Form | undefined;
   private chosen = 0;
@@ -91,7 +95,7 @@ export class Sections {
     this.buttons.length = this.panels.length = 0;
     this.bar.replaceChildren();
     for (const group of ["Lesson", "Exercise"] as const) {
-      this.bar.append(h("h3", {}, group));
+      this.bar.append(h("h3", {}, groups[group]));
       const taught = group === "Exercise" || "lesson" in form.document;
       sections.forEach((section, i) => {
         if (section.group !== group || !taught) return;
@@ -105,7 +109,7 @@ export class Sections {
         this.panels[i] = h(
           "section",
           { hidden: true, "aria-label": section.title, "data-at": section.pointer },
-          h("h2", {}, `${group}: ${section.title}`),
+          h("h2", {}, `${groups[group]}: ${section.title}`),
           section.draw(form),
         );
       });
@@ -123,7 +127,7 @@ export class Sections {
                 form.changed();
               },
             },
-            "Make it a lesson",
+            t("Make it a lesson"),
           ),
         );
     }

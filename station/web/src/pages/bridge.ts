@@ -3,5 +3,6 @@
 import "./bridge.css";
 
 import { openBridge } from "../bridge/bridge";
+import { t } from "../kit/language";
 
-openBridge("Bridge", "orders");
+openBridge(t("Bridge"), "orders");

@@ -4,5 +4,6 @@ import "./classroom.css";
 
 import { makeClassroom } from "../classroom/classroom_page";
 import { openPage } from "../kit/page";
+import { t } from "../kit/language";
 
-makeClassroom(openPage("Classroom"));
+makeClassroom(openPage(t("Classroom")));

@@ -5,5 +5,6 @@ import "./instructor.css";
 
 import { makeDesk } from "../desk/desk_page";
 import { openExercisePage } from "../kit/page";
+import { t } from "../kit/language";
 
-makeDesk(openExercisePage("Instructor", "ShipState"));
+makeDesk(openExercisePage(t("Instructor"), "ShipState"));

@@ -4,5 +4,6 @@ import "./lessons.css";
 
 import { openPage } from "../kit/page";
 import { makeEditor } from "../lessons/editor";
+import { t } from "../kit/language";
 
-makeEditor(openPage("Lessons"));
+makeEditor(openPage(t("Lessons")));

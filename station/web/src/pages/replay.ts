@@ -3,17 +3,18 @@
 
 import { h, setText } from "../kit/dom";
 import { openPage, pageAddress } from "../kit/page";
+import { t } from "../kit/language";
 
 const query = new URLSearchParams(location.search);
 const recording = query.get("recording") ?? "";
-const t = query.get("t") ?? "0";
+const moment = query.get("t") ?? "0";
 
-const page = openPage("Replay");
-const words = h("p", { role: "status" }, `Opening the recording ${recording} ...`);
+const page = openPage(t("Replay"));
+const words = h("p", { role: "status" }, t("Opening the recording {recording} ...", { recording }));
 page.root.append(words);
 
 page.link.onMessage("replay", (message) => {
-  location.replace(pageAddress("/instructor", { exercise: `${message["exercise"]}`, t }));
+  location.replace(pageAddress("/instructor", { exercise: `${message["exercise"]}`, t: moment }));
 });
 let asked = false;
 page.link.onMessage("hello", () => {
@@ -21,6 +22,6 @@ page.link.onMessage("hello", () => {
   asked = true;
   page.link.ask({ op: "replay", recording }).catch((why: Error) => {
     asked = false;
-    setText(words, `The recording ${recording} cannot be replayed here: ${why.message}`);
+    setText(words, t("The recording {recording} cannot be replayed here: {why}", { recording, why: why.message }));
   });
 });

@@ -3,5 +3,6 @@
 import "./bridge.css";
 
 import { openBridge } from "../bridge/bridge";
+import { t } from "../kit/language";
 
-openBridge("Anchor watch", "watch");
+openBridge(t("Anchor watch"), "watch");

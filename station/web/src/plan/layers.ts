@@ -7,6 +7,7 @@ import { type Context, grip, label, line, ring, stroke } from "./pen";
 import type { PlanCircle, PlanFlow, PlanLine, PlanMark, PlanPicture, PlanShip, PlanSounding } from "./picture";
 import { type Pixel, type Projection, ofShip, pointAt } from "./projection";
 import { thin } from "./thin";
+import { t } from "../kit/language";
 
 const kSymbolBelow = 14; // px of length, under which a ship is a symbol
 const kSoundingsApart = 52; // px, at least: fewer figures than the chart has, where it is shown small
@@ -31,7 +32,7 @@ export function roundLength(length: number): number {
 export function distanceText(metres: number): string {
   return metres < kNauticalMile
     ? `${figure(metres)} m`
-    : `${figure(metres / kNauticalMile, 2).replace(/\.?0+$/, "")} NM`;
+    : `${figure(metres / kNauticalMile, 2).replace(/[.,]?0+$/, "")} ${t("NM")}`;
 }
 
 /** Lines of equal depth, each with its figure on it here and there. */
@@ -139,7 +140,7 @@ export function circles({ c, at, colours }: Sheet, all: PlanCircle[]): void {
       line(c, { x: centre.x - 5, y: centre.y }, { x: centre.x + 5, y: centre.y }, { colour, width: 2 });
       line(c, { x: centre.x, y: centre.y - 5 }, { x: centre.x, y: centre.y + 5 }, { colour, width: 2 });
     }
-    const text = `${circle.label} ${distanceText(circle.radius)}${circle.left ? ", LEFT" : ""}`;
+    const text = `${circle.label} ${distanceText(circle.radius)}${circle.left ? `, ${t("LEFT|circle")}` : ""}`;
     const place = inSight(at, centre, radius, kLabelTurn[circle.kind]);
     if (place) label(c, text, place, colours.text, colours.sea, "center");
     if (circle.editable) grip(c, { x: centre.x + radius, y: centre.y }, colour, colours.sea);
@@ -244,7 +245,7 @@ export function compassRose({ c, at, colours }: Sheet, picture: PlanPicture): vo
   const n = end(0, 39);
   label(c, "N", n, colours.text, colours.sea, "center");
   let row = centre.y + 56;
-  const arrow = (name: string, flow: PlanFlow | undefined, towards: number, colour: string, words: string): void => {
+  const arrow = (flow: PlanFlow | undefined, towards: number, colour: string, words: (way: string) => string): void => {
     if (!flow || flow.speed < 0.01) return;
     const from = end(towards + Math.PI, 25);
     const to = end(towards, 25);
@@ -252,7 +253,7 @@ export function compassRose({ c, at, colours }: Sheet, picture: PlanPicture): vo
     head(c, to.x, to.y, Math.atan2(to.y - from.y, to.x - from.x), colour);
     label(
       c,
-      `${name} ${words} ${bearing(flow.direction)}\u00b0 ${figure(knots(flow.speed), 1)} kn`,
+      `${words(bearing(flow.direction))} ${figure(knots(flow.speed), 1)} kn`,
       { x: at.width - 10, y: row },
       colours.text,
       colours.sea,
@@ -260,8 +261,9 @@ export function compassRose({ c, at, colours }: Sheet, picture: PlanPicture): vo
     );
     row += 17;
   };
-  arrow("wind", picture.wind, (picture.wind?.direction ?? 0) + Math.PI, colours.wind, "from");
-  arrow("stream", picture.stream, picture.stream?.direction ?? 0, colours.stream, "sets");
+  const windTo = (picture.wind?.direction ?? 0) + Math.PI;
+  arrow(picture.wind, windTo, colours.wind, (way) => t("wind from {way}°", { way }));
+  arrow(picture.stream, picture.stream?.direction ?? 0, colours.stream, (way) => t("stream sets {way}°", { way }));
 }
 
 /** A round length along the lower edge, in m. */

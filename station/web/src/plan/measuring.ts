@@ -5,6 +5,7 @@ import { type Sheet, distanceText } from "./layers";
 import { grip, label, line, ring } from "./pen";
 import type { Place, PlanShip } from "./picture";
 import { type Pixel, type Projection, directionTo, distance, ofShip, pointAt } from "./projection";
+import { t } from "../kit/language";
 
 /** An electronic bearing line with its variable range marker. */
 export interface BearingLine {
@@ -40,13 +41,15 @@ export class Measuring {
   text(which: 0 | 1, heading: number | undefined): string {
     const l = this.lines[which];
     if (!l.on) return "";
-    const relative = heading === undefined ? "" : `, R ${bearing(l.bearing - heading)}\u00b0`;
-    return `${figure(((degrees(l.bearing) % 360) + 360) % 360, 1)}\u00b0 T${relative}, ${distanceText(l.range)}`;
+    const north = t("{bearing} T", { bearing: `${figure(((degrees(l.bearing) % 360) + 360) % 360, 1)}\u00b0` });
+    const ahead = heading === undefined ? "" : t("R {bearing}", { bearing: `${bearing(l.bearing - heading)}\u00b0` });
+    return [north, ahead, distanceText(l.range)].filter(Boolean).join(", ");
   }
 
   rulerText(): string {
     const { on, from, to } = this.ruler;
-    return on ? `${bearing(directionTo(from, to))}\u00b0 T, ${distanceText(distance(from, to))}` : "";
+    const north = t("{bearing} T", { bearing: `${bearing(directionTo(from, to))}\u00b0` });
+    return on ? `${north}, ${distanceText(distance(from, to))}` : "";
   }
 
   grips(at: Projection, ship: PlanShip | undefined): Grip[] {

@@ -18,6 +18,7 @@ import { type PlanPicture, type PlanShip, emptyPicture } from "./picture";
 import { type Pixel, Projection, distance } from "./projection";
 import { land, surroundings } from "./surroundings";
 import { PlanTools } from "./tools";
+import { t } from "../kit/language";
 
 const kBetweenDraws = 50; // ms
 const kReach = 16; // px, within which a grip is taken
@@ -30,7 +31,7 @@ export class PlanView {
     class: "plan-canvas",
     tabIndex: 0,
     role: "application",
-    "aria-label": "plan: arrows move it, plus and minus zoom, Home brings own ship back",
+    "aria-label": t("plan: arrows move it, plus and minus zoom, Home brings own ship back"),
   });
   private readonly tools: PlanTools;
   private picture: PlanPicture = emptyPicture();

@@ -15,6 +15,7 @@ import type { Sheet } from "./layers";
 import { label, line, stroke } from "./pen";
 import { type Pixel, directionTo, distance, ofShip, pointAt } from "./projection";
 import { buoyMark, flare, shoreMark } from "./seamarks";
+import { t } from "../kit/language";
 
 const kInland = 1500; // m, of what the chart takes as land behind a ridge
 const kShortest = 9; // px, of a ship that is drawn
@@ -103,5 +104,5 @@ function anchored({ c, at, colours }: Sheet, ship: AnchoredShip): void {
   c.fill();
   stroke(c, { colour: colours.quiet, width: 1.5 });
   const p = at.toScreen(ship.x, ship.y);
-  label(c, "at anchor", { x: p.x + 12, y: p.y }, colours.quiet, colours.sea);
+  label(c, t("at anchor"), { x: p.x + 12, y: p.y }, colours.quiet, colours.sea);
 }

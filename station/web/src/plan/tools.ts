@@ -3,6 +3,7 @@
 import { h, setAttribute, setText } from "../kit/dom";
 import { radians } from "../kit/units";
 import type { Measuring } from "./measuring";
+import { t } from "../kit/language";
 
 /** What the buttons act on: the plan. */
 export interface PlanActions {
@@ -26,7 +27,7 @@ export class PlanTools {
     const bearingButton = (which: 0 | 1): HTMLElement => {
       const button = this.toggle(
         `EBL ${which + 1}`,
-        `bearing line and range ring ${which + 1}; arrow keys turn it and change its range`,
+        t("bearing line and range ring {which}; arrow keys turn it and change its range", { which: which + 1 }),
         () => this.plan.measuring.lines[which].on,
         () => this.plan.toggleBearing(which),
         () => this.plan.measuring.text(which, this.plan.ship?.heading),
@@ -36,33 +37,33 @@ export class PlanTools {
     };
     this.element = h(
       "div",
-      { class: "plan-tools", role: "toolbar", "aria-label": "plan" },
-      this.button("+", "zoom in", () => plan.zoom(1.25)),
-      this.button("\u2212", "zoom out", () => plan.zoom(0.8)),
-      this.button("Fit", "fit: own ship, anchors and circles in sight", () => plan.fit()),
+      { class: "plan-tools", role: "toolbar", "aria-label": t("plan") },
+      this.button("+", t("zoom in"), () => plan.zoom(1.25)),
+      this.button("\u2212", t("zoom out"), () => plan.zoom(0.8)),
+      this.button(t("Fit"), t("fit: own ship, anchors and circles in sight"), () => plan.fit()),
       this.toggle(
-        "Own ship",
-        "own ship in the middle",
+        t("Own ship"),
+        t("own ship in the middle"),
         () => plan.follows,
         () => (plan.follows = !plan.follows),
       ),
       this.toggle(
-        "Head up",
-        "heading up instead of north up",
+        t("Head up"),
+        t("heading up instead of north up"),
         () => plan.headUp,
         () => (plan.headUp = !plan.headUp),
       ),
       this.toggle(
-        "Rings",
-        "range rings",
+        t("Rings"),
+        t("range rings"),
         () => plan.rings,
         () => (plan.rings = !plan.rings),
       ),
       bearingButton(0),
       bearingButton(1),
       this.toggle(
-        "Ruler",
-        "ruler",
+        t("Ruler"),
+        t("ruler"),
         () => plan.measuring.ruler.on,
         () => plan.toggleRuler(),
         () => plan.measuring.rulerText(),

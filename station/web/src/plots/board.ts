@@ -11,6 +11,7 @@ import type { TopicName, TopicTypes, WindlassLoad } from "../wire/generated";
 import { type Latest, type PaneSpec, panes, placeOf, places } from "./channels";
 import { History } from "./history";
 import { type Flag, Pane } from "./pane";
+import { t } from "../kit/language";
 
 const kInterval = 0.05; // s
 const kSpan = 7200; // s
@@ -54,7 +55,7 @@ export class PlotBoard {
     );
     this.element = h(
       "section",
-      { class: "plots", "aria-label": "plots" },
+      { class: "plots", "aria-label": t("plots") },
       h(
         "div",
         { class: "plot-bar" },
@@ -62,9 +63,9 @@ export class PlotBoard {
           "details",
           { class: "plot-menu" },
           this.chosen,
-          h("div", { class: "chips", role: "group", "aria-label": "plots shown" }, ...chips),
+          h("div", { class: "chips", role: "group", "aria-label": t("plots shown") }, ...chips),
         ),
-        h("div", { class: "chips", role: "group", "aria-label": "time shown" }, ...widths),
+        h("div", { class: "chips", role: "group", "aria-label": t("time shown") }, ...widths),
         this.since,
       ),
       this.grid,
@@ -142,7 +143,7 @@ export class PlotBoard {
     for (const chip of this.element.querySelectorAll(".chip[data-pane]"))
       setAttribute(chip, "aria-pressed", `${this.shown.has((chip as HTMLElement).dataset.pane!)}`);
     this.grid.dataset.count = `${this.shown.size}`;
-    this.chosen.textContent = `Plots: ${this.shown.size} of ${panes.length}`;
+    this.chosen.textContent = t("Plots: {shown} of {all}", { shown: this.shown.size, all: panes.length });
     try {
       localStorage.setItem(kShown, [...this.shown.keys()].join());
     } catch {
@@ -167,7 +168,7 @@ export class PlotBoard {
     const from = to - this.span;
     const { begin } = this.history;
     // The station tells what it has heard, and was perhaps not there from the beginning.
-    setText(this.since, begin > Math.max(from, kFromBegin) ? `heard since ${clock(begin)}` : "");
+    setText(this.since, begin > Math.max(from, kFromBegin) ? t("heard since {time}", { time: clock(begin) }) : "");
     for (const pane of this.shown.values()) {
       const which = pane.spec.channels.map((channel) => placeOf(pane.spec, channel, this.side_));
       const { times, series } = this.history.window(from, to, kBuckets, which);

@@ -4,6 +4,7 @@ import { limits } from "../../../../words/words.json";
 import { loadsMeasured } from "../kit/measured";
 import { type Measure, cableSpeeds, celsius, degrees, kTonne, knots, loads } from "../kit/units";
 import type { Connection } from "../wire/connection";
+import { t, writtenFigure } from "../kit/language";
 
 /** What was heard last of each topic: of a link, or at a moment of the past. */
 export type Latest = Pick<Connection, "latest">;
@@ -28,7 +29,7 @@ export interface Limit {
 }
 
 const ofBreaking = (share: number, breakingLoad: number): Limit => ({
-  label: `${share} breaking load`,
+  label: t("{share} breaking load", { share: writtenFigure(`${share}`) }),
   value: share * breakingLoad,
 });
 
@@ -95,21 +96,21 @@ function ofAnchor(
 export const panes: readonly PaneSpec[] = [
   {
     id: "loads",
-    title: "Loads",
-    short: "Loads",
+    title: t("Loads"),
+    short: t("Loads"),
     unit: loads,
     least: 10 * kTonne,
     channels: [
-      ofLoad("hawse", "hawse", 1, (l) => l.hawse_tension),
-      ofLoad("gypsy", "gypsy", 1, (l) => l.gypsy_load),
-      ofLoad("brake", "brake", 1, (l) => l.brake_load),
-      ofLoad("capacity", "brake holds", 1, (l) => l.brake_capacity, { dashed: true, leaves: true }),
+      ofLoad("hawse", t("hawse"), 1, (l) => l.hawse_tension),
+      ofLoad("gypsy", t("gypsy"), 1, (l) => l.gypsy_load),
+      ofLoad("brake", t("brake"), 1, (l) => l.brake_load),
+      ofLoad("capacity", t("brake holds"), 1, (l) => l.brake_capacity, { dashed: true, leaves: true }),
     ],
     limits: (link, side) => {
       const load = windlass(link, side);
       if (!load) return [];
       return [
-        { label: "brake rating", value: load.brake_rating },
+        { label: t("brake rating"), value: load.brake_rating },
         ofBreaking(limits.load_allowed.value, load.breaking_load),
         ofBreaking(limits.load_stopper.value, load.breaking_load),
       ];
@@ -117,86 +118,86 @@ export const panes: readonly PaneSpec[] = [
   },
   {
     id: "speed",
-    title: "Cable speed",
-    short: "Speed",
+    title: t("Cable speed"),
+    short: t("Speed"),
     unit: cableSpeeds,
     least: 1,
-    channels: [ofWindlass("speed", "paying out +", 2, (l) => l.cable_speed)],
+    channels: [ofWindlass("speed", t("paying out +"), 2, (l) => l.cable_speed)],
     limits: () => [
-      { label: "fast", value: limits.cable_fast.value },
-      { label: "runaway", value: limits.cable_runaway.value },
+      { label: t("fast"), value: limits.cable_fast.value },
+      { label: t("runaway"), value: limits.cable_runaway.value },
     ],
   },
   {
     id: "out",
-    title: "Cable out",
-    short: "Out",
+    title: t("Cable out"),
+    short: t("Out"),
     unit: "m",
     least: 10,
     channels: [
-      ofWindlass("out", "out", 1, (l) => l.cable_out),
-      ofWindlass("counter", "counter", 1, (l) => l.cable_out_indicated, { dashed: true }),
+      ofWindlass("out", t("out"), 1, (l) => l.cable_out),
+      ofWindlass("counter", t("counter"), 1, (l) => l.cable_out_indicated, { dashed: true }),
     ],
   },
   {
     id: "temperature",
-    title: "Brake heat",
-    short: "Brake \u00b0C",
+    title: t("Brake heat"),
+    short: t("Brake \u00b0C"),
     unit: "\u00b0C",
     least: 50,
     channels: [
-      ofWindlass("lining", "lining", 0, (l) => celsius(l.lining_temperature)),
-      ofWindlass("drum", "drum", 0, (l) => celsius(l.drum_temperature)),
+      ofWindlass("lining", t("lining"), 0, (l) => celsius(l.lining_temperature)),
+      ofWindlass("drum", t("drum"), 0, (l) => celsius(l.drum_temperature)),
     ],
     limits: () => [
-      { label: "smokes", value: 250 },
-      { label: "burns", value: 400 },
+      { label: t("smokes"), value: 250 },
+      { label: t("burns"), value: 400 },
     ],
   },
   {
     id: "motor",
-    title: "Motor",
-    short: "Motor",
-    unit: "A or bar",
+    title: t("Motor"),
+    short: t("Motor"),
+    unit: t("A or bar"),
     least: 100,
     channels: [
-      ofWindlass("motor", "current", 0, (l) => (l.motor_pressure > 0 ? bar(l.motor_pressure) : l.motor_current)),
+      ofWindlass("motor", t("current"), 0, (l) => (l.motor_pressure > 0 ? bar(l.motor_pressure) : l.motor_current)),
     ],
   },
   {
     id: "levers",
-    title: "Levers",
-    short: "Levers",
+    title: t("Levers"),
+    short: t("Levers"),
     unit: "%",
     least: 100,
     channels: [
-      ofWindlass("wheel", "brake on", 0, (l) => 100 * l.brake_position),
-      ofWindlass("lever", "speed, heave +", 0, (l) => 100 * l.speed_lever),
+      ofWindlass("wheel", t("brake on"), 0, (l) => 100 * l.brake_position),
+      ofWindlass("lever", t("speed, heave +"), 0, (l) => 100 * l.speed_lever),
     ],
   },
   {
     id: "holding",
-    title: "Anchor holding",
-    short: "Holding",
+    title: t("Anchor holding"),
+    short: t("Holding"),
     unit: loads,
     least: 10 * kTonne,
     channels: [
-      ofAnchor("used", "used", 1, (a) => a.holding_used),
-      { ...ofAnchor("holds", "at most", 1, (a) => a.holding_capacity), dashed: true, leaves: true },
+      ofAnchor("used", t("used"), 1, (a) => a.holding_used),
+      { ...ofAnchor("holds", t("at most"), 1, (a) => a.holding_capacity), dashed: true, leaves: true },
     ],
   },
   {
     id: "dragged",
-    title: "Anchor dragged",
-    short: "Dragged",
+    title: t("Anchor dragged"),
+    short: t("Dragged"),
     unit: "m",
     least: 5,
-    channels: [ofAnchor("dragged", "dragged", 1, (a) => a.dragged)],
+    channels: [ofAnchor("dragged", t("dragged"), 1, (a) => a.dragged)],
   },
   {
     id: "ship",
-    title: "Ship and wind",
-    short: "Ship, wind",
+    title: t("Ship and wind"),
+    short: t("Ship, wind"),
     unit: "kn",
     least: 5,
     shared: true,
@@ -209,7 +210,7 @@ export const panes: readonly PaneSpec[] = [
       },
       {
         id: "wind",
-        label: "wind",
+        label: t("wind"),
         decimals: 1,
         read: (link) => knots(link.latest("EnvironmentState")?.now.wind_speed ?? NaN),
       },
@@ -217,21 +218,21 @@ export const panes: readonly PaneSpec[] = [
   },
   {
     id: "heading",
-    title: "Heading",
-    short: "Heading",
+    title: t("Heading"),
+    short: t("Heading"),
     unit: "\u00b0",
     least: 360,
     shared: true,
     channels: [
       {
         id: "heading",
-        label: "heading",
+        label: t("heading"),
         decimals: 0,
         read: (link) => degrees(link.latest("ShipState")?.heading ?? NaN),
       },
       {
         id: "wind_from",
-        label: "wind from",
+        label: t("wind from"),
         decimals: 0,
         read: (link) => degrees(link.latest("EnvironmentState")?.now.wind_from ?? NaN),
       },

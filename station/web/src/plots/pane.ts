@@ -4,8 +4,9 @@ import uPlot from "uplot";
 
 import { h, setAttribute, setText } from "../kit/dom";
 import { colour } from "../kit/palette";
-import { Measure, clock, figure } from "../kit/units";
+import { Measure, clock, figure, unitWritten } from "../kit/units";
 import type { Limit, PaneSpec } from "./channels";
+import { t, writtenFigure } from "../kit/language";
 
 /** A moment that all plots mark. */
 export interface Flag {
@@ -112,9 +113,9 @@ export class Pane {
 
   private showUnit(): void {
     const { title, unit } = this.spec;
-    const written = unit instanceof Measure ? unit.unit.written : unit;
+    const written = unit instanceof Measure ? unitWritten(unit.unit) : unit;
     setText(this.unit, written);
-    setAttribute(this.element, "aria-label", `${title} over time, ${written}`);
+    setAttribute(this.element, "aria-label", t("{title} over time, {unit}", { title, unit: written }));
   }
 
   private toggle(channel: number, button: Element): void {
@@ -169,7 +170,7 @@ export class Pane {
           gap: 2,
           ticks: { show: false },
           space: 22 * this.large,
-          values: (_, splits) => splits.map((s) => String(Number(s.toPrecision(6))).replace("-", "\u2212")),
+          values: (_, splits) => splits.map((s) => writtenFigure(`${Number(s.toPrecision(6))}`).replace("-", "\u2212")),
         },
       ],
       series: [

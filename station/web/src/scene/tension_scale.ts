@@ -11,9 +11,10 @@ import {
   SRGBColorSpace,
 } from "three";
 import { LoadScale, loadScales } from "../kit/load_scale";
-import { figure, kTonne, loads, scaleEnd, scaleStep } from "../kit/units";
+import { figure, kTonne, loads, scaleEnd, scaleStep, unitWritten } from "../kit/units";
 import { rampAt, rampCss } from "./colour_ramp";
 import type { SceneFrame } from "./frame";
+import { t } from "../kit/language";
 
 /** Share of the breaking load at the end of the widest scale: what a windlass's brake holds, and more. */
 const kWidest = 0.5;
@@ -83,7 +84,7 @@ export class TensionScale {
   }
 
   private show(end: number): void {
-    const words = `Tension of the cable, scale to ${end} ${this.unit.written}`;
+    const words = t("Tension of the cable, scale to {end} {unit}", { end, unit: unitWritten(this.unit) });
     if (this.legend.name === words) return;
     this.legend.name = words;
     this.end = end;

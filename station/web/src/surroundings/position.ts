@@ -2,6 +2,7 @@
 
 import { radians } from "../kit/units";
 import type { Landmarks } from "../wire/generated";
+import { writtenFigure } from "../kit/language";
 
 /** Degrees north and east. */
 export interface Position {
@@ -47,5 +48,5 @@ function degreesAndMinutes(angle: number, figures: number): string {
   const thousandths = Math.round(Math.abs(angle) * 60000);
   const whole = Math.floor(thousandths / 60000);
   const minutes = (thousandths - 60000 * whole) / 1000;
-  return `${String(whole).padStart(figures, "0")}\u00b0${minutes.toFixed(3).padStart(6, "0")}'`;
+  return `${String(whole).padStart(figures, "0")}\u00b0${writtenFigure(minutes.toFixed(3).padStart(6, "0"))}'`;
 }

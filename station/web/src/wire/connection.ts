@@ -3,6 +3,7 @@
 
 import { CdrReader } from "./cdr";
 import { type TopicName, type TopicTypes, WIRE_VERSION, decoders, keys } from "./generated";
+import { t } from "../kit/language";
 
 export type Seat = "forecastle" | "conning" | "trainee" | "watcher" | "observer" | "assessor" | "instructor";
 
@@ -201,6 +202,11 @@ export class Connection {
     return this.held.has(`${what}`);
   }
 
+  /** Whether a hand of this page is on any levers. */
+  holdsAny(): boolean {
+    return this.held.size > 0;
+  }
+
   /** Gives an order: resolves when it is on its way, rejects with Refused. */
   order(topic: TopicName, sample: OrderSample): Promise<void> {
     return this.ask({ op: "order", topic, sample });
@@ -208,7 +214,7 @@ export class Connection {
 
   /** Any message that is answered with sent or refused. */
   ask(message: Message): Promise<void> {
-    if (this.state_ !== "open") return Promise.reject(new Refused("no connection to the station"));
+    if (this.state_ !== "open") return Promise.reject(new Refused(t("no connection to the station")));
     const id = this.nextId++;
     return new Promise((done, failed) => {
       this.waiting.set(id, { done, failed });
@@ -273,7 +279,7 @@ export class Connection {
 
   private lost(): void {
     this.held.clear(); // the server has given them up; a hand takes them anew
-    for (const { failed } of this.waiting.values()) failed(new Refused("the connection to the station was lost"));
+    for (const { failed } of this.waiting.values()) failed(new Refused(t("the connection to the station was lost")));
     this.waiting.clear();
     if (this.ended()) return;
     this.setState("lost");

@@ -1,0 +1,48 @@
+// Sentences of events that the server makes up where it calls them, and not of words.json, by the event's code: for the
+// pages' other languages. {0} is a name or words of ours, {order} stands for what was spoken. The longer ones first.
+// One that the server has changed stays English.
+
+import { enumerations } from "../../../../words/words.json";
+
+const ofOrders = enumerations.BridgeOrderState.oneOf.map(({ const: state, said }) => [
+  `order.${state}`,
+  [`order {0} ${state === "given" ? state : said}: {order}`],
+]);
+
+export const serverSentences: Readonly<Record<string, readonly string[]>> = {
+  ...(Object.fromEntries(ofOrders) as Record<string, string[]>),
+  "cable.shackle": ["{0} shackle out, heaving", "{0} shackles out, heaving", "{0} shackle out", "{0} shackles out"],
+  "cable.turns": ["{0} turns in the cable: links no longer lie fair"],
+  "clutch.refused": [
+    "clutch is loaded and does not come out",
+    "clutch is broken",
+    "clutch teeth are not in line: turn the motor over slowly",
+    "clutch does not go in while the gypsy turns",
+  ],
+  "exercise.checkpoint": ["checkpoint taken by {name}"],
+  "exercise.finished": ["exercise finished: {reason}"],
+  "exercise.loaded": ["exercise loaded by {name}"],
+  "exercise.paused": ["exercise paused by {name}"],
+  "exercise.reset": ["exercise reset by {name}"],
+  "exercise.restored": ["exercise restored to {0} s, paused, by {name}"],
+  "exercise.resumed": ["exercise resumed by {name}"],
+  "exercise.started": ["exercise started by {name}"],
+  "exercise.time_scale": ["time scale {0} by {name}"],
+  "levers.lost": [
+    "{name} has let go and nobody has the {0}: {1}",
+    "{name} is no longer heard and nobody has the {0}: {1}",
+  ],
+  "levers.taken": [
+    "{name} has the {0}, taken from {other}",
+    "{name} has the {0}, handed back by {other}",
+    "{name} has the {0}",
+  ],
+  "order.not_heard": ["no answer from the forecastle; ordered: {order}"],
+  "report.bell": ["bell: {0} strokes", "bell: {0} stroke", "bell: rung rapidly"],
+  "report.not_heard": ["no answer from the bridge; {report}"],
+  "signals.anchor_ball": ["anchor ball hoisted", "anchor ball taken down"],
+  "signals.anchor_lights": ["anchor lights switched on", "anchor lights switched off"],
+  "stopper.refused": ["stopper bar is loaded and does not lift", "stopper cannot be closed on running chain"],
+  "watch.circle": ["ship has left the anchor watch circle of {0} m"],
+  "watch.dragging": ["by her position the ship drags: {0} m from the anchor's place"],
+};

@@ -1,0 +1,114 @@
+// The pages in German: nothing is cut off or out of reach where it is not in English, nothing of the catalogue is left
+// in English, and the choice of the language is the person's, which takes no levers out of a hand.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+
+import german from "../../words/pages_de.json";
+import { closeBrowser, closePage, openPage } from "./browser";
+import { cutOff, hadNoProblems, passesAxe, unreachable } from "./pages";
+import { Rig, eventually } from "./rig";
+
+const kSizes: [number, number][] = [
+  [1440, 900],
+  [1024, 768],
+];
+
+const rig = new Rig();
+const urls: Record<string, string> = {};
+
+before(
+  async () => {
+    rig.server("L05_standing_moor", "--wait"); // both windlasses
+    const [ship, desk] = [await rig.station("ship"), await rig.desk()];
+    for (const station of [ship, desk]) {
+      await eventually("all its pages are told", () => station.urls().length >= 3);
+      for (const url of station.urls()) urls[new URL(url).pathname.slice(1)] = url;
+    }
+  },
+  { timeout: 180000 },
+);
+after(async () => {
+  await closeBrowser();
+  await rig.end();
+});
+
+const open = (name: string) =>
+  openPage(urls[name].replace("#", "?picture=off#"), {
+    viewport: { width: 1440, height: 900 },
+    locale: "de-DE",
+    init: () => localStorage.setItem("windlass.views", "plan"),
+  });
+
+/** What shows that the page has heard of the exercise. */
+const heard = {
+  forecastle: ".counter strong",
+  bridge: ".readout strong",
+  watch: ".readout strong",
+  instructor: ".truth tbody tr",
+  classroom: ".tile",
+  lessons: "main button",
+};
+
+for (const [name, sign] of Object.entries(heard))
+  test(`the page ${name} is read in German`, async () => {
+    const page = await open(name);
+    await eventually("it has heard of the exercise", () => page.locator(sign).first().textContent());
+    assert.equal(await page.locator("html").getAttribute("lang"), "de");
+    if (await page.locator("dialog.briefing").count()) {
+      const close = page.getByRole("button", { name: "Schließen" });
+      await eventually("its briefing has opened by itself", () => close.isVisible());
+      await close.click();
+    }
+    const wrong: string[] = [];
+    for (const [width, height] of kSizes) {
+      await page.setViewportSize({ width, height });
+      const tabs = await page.getByRole("tab", { selected: false }).all();
+      const names = await Promise.all(tabs.map((tab) => tab.textContent()));
+      for (const tab of ["", ...names]) {
+        if (tab) await page.getByRole("tab", { name: tab, exact: true }).evaluate((el: HTMLElement) => el.click());
+        const found = [...(await unreachable(page)), ...(await cutOff(page))];
+        wrong.push(...found.map((what) => `${width}x${height}, ${tab}: ${what}`));
+      }
+    }
+    assert.deepEqual([...new Set(wrong)], []);
+    // Criteria of a lesson have the names of its file; "Back" is where the windlass stands.
+    const left = await page.evaluate(
+      (english) =>
+        [...document.querySelectorAll("body :not(.marks *, option)")]
+          .flatMap((element) => [
+            element.firstElementChild ? "" : element.textContent.trim(),
+            element.getAttribute("aria-label"),
+            element.getAttribute("title"),
+          ])
+          .filter((text) => text && english.includes(text)),
+      Object.keys(german).filter((english) => !Object.values(german).includes(english)),
+    );
+    assert.deepEqual([...new Set(left)], []);
+    await passesAxe(page);
+    hadNoProblems(page);
+    await closePage(page);
+  });
+
+test("another language is chosen among the units, and not out of a hand that is on levers", async () => {
+  const page = await open("forecastle");
+  const language = () => page.locator("html").getAttribute("lang");
+  const close = page.getByRole("button", { name: "Schließen" });
+  await eventually("its briefing has opened by itself", () => close.isVisible());
+  await close.click();
+  await page.keyboard.press("b");
+  await eventually("the levers are in hand", () => page.getByRole("button", { name: "Abgeben" }).isVisible());
+  await page.getByRole("button", { name: /^Einheiten/ }).click();
+  await page.getByRole("radio", { name: "English" }).click();
+  await eventually("it is refused", () => page.getByText("erst abgeben").isVisible());
+  assert.equal(await language(), "de");
+  await close.click();
+  await page.getByRole("button", { name: "Abgeben" }).click();
+  await page.getByRole("button", { name: /^Einheiten/ }).click();
+  await page.getByRole("radio", { name: "English" }).click();
+  await eventually("the page is loaded anew in English", async () => (await language()) === "en");
+  await eventually("its words are English", () => page.getByText("Orders from the bridge").isVisible());
+  assert.equal(await page.evaluate(() => localStorage.getItem("windlass.language")), "en");
+  hadNoProblems(page);
+  await closePage(page);
+});
