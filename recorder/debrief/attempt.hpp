@@ -15,10 +15,12 @@ namespace windlass::debrief {
 
 /// Where everything comes from.
 struct Origin {
-    std::string recording;          ///< its name
-    std::string sha256;             ///< of its files, one behind the other
-    std::uint64_t run = 0;          ///< as the server counts
-    std::size_t runs = 0;           ///< in the recording
+    std::string recording; ///< its name
+    std::string sha256;    ///< of its files, one behind the other
+    std::uint64_t run = 0; ///< as the server counts; of several that are one attempt, the last
+    /// Runs before it at whose end the server was lost, and from which it was taken up: one attempt with it.
+    std::vector<std::uint64_t> taken_up_from;
+    std::size_t runs = 0;           ///< attempts in the recording
     std::int64_t began_unix_ns = 0; ///< of the run, by the recorder's clock
     std::int64_t recording_began_unix_ns = 0;
     std::string recorder_version;

@@ -173,15 +173,33 @@ void AttemptReader::add(const EnvironmentState& air) {
     attempt_.wave_seed = air.now().wave_seed();
 }
 
+bool AttemptReader::ours(std::uint64_t run) const {
+    return run == attempt_.origin.run ||
+           std::ranges::find(attempt_.origin.taken_up_from, run) != attempt_.origin.taken_up_from.end();
+}
+
+void AttemptReader::take_back_to(double time) {
+    const auto later = [time](const auto& each) { return each.time > time; };
+    std::erase_if(attempt_.events, [time](const Event& each) { return each.time() > time; });
+    std::erase_if(attempt_.orders, [time](const GivenOrder& each) { return each.order.time() > time; });
+    std::erase_if(attempt_.reports, later);
+    std::erase_if(attempt_.lever_moves, later);
+    std::erase_if(attempt_.words, later);
+}
+
 void AttemptReader::add(const Event& event) {
-    const auto known = [&](const Event& each) { return each.number() == event.number(); };
+    if (event.code() == "exercise.taken_up") take_back_to(event.value());
+    // Each run counts its events from 1.
+    const auto known = [&](const Event& each) {
+        return each.number() == event.number() && each.tick() == event.tick();
+    };
     if (std::string_view(event.code().c_str()).starts_with("model.")) return;
     if (event.time() > attempt_.ended + kSlack || std::ranges::any_of(attempt_.events, known)) return;
     attempt_.events.push_back(event);
 }
 
 void AttemptReader::add(const BridgeOrder& order) {
-    if (order.run() != attempt_.origin.run) return;
+    if (!ours(order.run())) return;
     const auto found = std::ranges::find_if(
         attempt_.orders, [&](const GivenOrder& each) { return each.order.number() == order.number(); });
     const double changed = attempt_.time_of(order.tick());
@@ -192,7 +210,7 @@ void AttemptReader::add(const BridgeOrder& order) {
 }
 
 void AttemptReader::add(const ExerciseTruth& truth) {
-    if (truth.run() != attempt_.origin.run) return;
+    if (!ours(truth.run())) return;
     attempt_.definition_hash = truth.definition_hash();
     attempt_.depth = truth.depth();
     if (truth.title().size() > 0) attempt_.title = truth.title().to_string();
@@ -204,7 +222,7 @@ void AttemptReader::add(const Assessment& assessment) {
 }
 
 void AttemptReader::add(const OrderTaken& order) {
-    if (order.run() != attempt_.origin.run) return;
+    if (!ours(order.run())) return;
     const double time = attempt_.time_of(order.tick());
     const std::string by = order.source().to_string();
     const auto count = [&](int Hand::*what) {

@@ -32,6 +32,10 @@ private:
     void add(const Assessment& assessment);
     void add(const OrderTaken& order);
 
+    bool ours(std::uint64_t run) const;
+    /// What was heard beyond that time has not happened: the server was lost before it was kept.
+    void take_back_to(double time);
+
     /// Whether a stream's sample comes after those before it, and lies in the run.
     bool in_order(double time, double& last) const;
 

@@ -95,6 +95,11 @@ std::string origin_part(const PageContext& page) {
         "definition</dt><dd><code>{:016x}</code></dd>\n",
         escaped(origin.recording), escaped(wall_time(origin.recording_began_unix_ns)), escaped(origin.sha256),
         origin.run, origin.runs, page.attempt.definition_hash);
+    if (!origin.taken_up_from.empty())
+        html += fmt::format(
+            "<dt>Server lost</dt><dd>{} time{}; each time the exercise was taken up where it stopped, "
+            "and is one attempt</dd>\n",
+            origin.taken_up_from.size(), origin.taken_up_from.size() == 1 ? "" : "s");
     if (!origin.recorder_version.empty())
         html += fmt::format("<dt>Recorder</dt><dd>version {}</dd>\n", escaped(origin.recorder_version));
     if (page.attempt.assessment)

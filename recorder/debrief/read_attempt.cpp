@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace windlass::debrief {
@@ -22,8 +23,8 @@ namespace {
 
 /// One course of the exercise, by its ExerciseStatus.
 struct Course {
-    std::uint64_t run = 0;
-    Nanoseconds first = 0; ///< log_time of its first status
+    std::vector<std::uint64_t> runs; ///< several, where its server was lost on the way
+    Nanoseconds first = 0;           ///< log_time of its first status
     std::vector<std::pair<Nanoseconds, ExerciseStatus>> statuses;
 };
 
@@ -33,14 +34,48 @@ std::vector<Course> courses_of(Recording& recording) {
     while (const auto message = cursor.next()) {
         try {
             auto status = recording::decode<ExerciseStatus>(message->payload);
-            if (courses.empty() || courses.back().run != status.run())
-                courses.push_back({status.run(), message->log_time, {}});
+            if (courses.empty() || courses.back().runs.back() != status.run())
+                courses.push_back({{status.run()}, message->log_time, {}});
             courses.back().statuses.emplace_back(message->log_time, std::move(status));
         } catch (const mcap::Damage&) {
             continue; // told by the second reading
         }
     }
     return courses;
+}
+
+/// When an exercise was taken up again after its server was lost.
+std::vector<Nanoseconds> taken_up_at(Recording& recording) {
+    std::vector<Nanoseconds> times;
+    auto cursor = recording.messages({.topics = {topics::event.name}});
+    while (const auto message = cursor.next()) {
+        try {
+            if (recording::decode<Event>(message->payload).code() == "exercise.taken_up")
+                times.push_back(message->log_time);
+        } catch (const mcap::Damage&) {
+            continue;
+        }
+    }
+    return times;
+}
+
+/// A run that was taken up goes on with the one before it: told between the last status of the one and the
+/// second of the other.
+std::vector<Course> joined(std::vector<Course> courses, const std::vector<Nanoseconds>& taken_up) {
+    std::vector<Course> all;
+    for (Course& course : courses) {
+        const Nanoseconds second = course.statuses.at(course.statuses.size() > 1 ? 1 : 0).first;
+        const bool goes_on = !all.empty() && std::ranges::any_of(taken_up, [&](Nanoseconds time) {
+            return time >= all.back().statuses.back().first && time <= second;
+        });
+        if (!goes_on) {
+            all.push_back(std::move(course));
+            continue;
+        }
+        std::ranges::copy(course.runs, std::back_inserter(all.back().runs));
+        std::ranges::move(course.statuses, std::back_inserter(all.back().statuses));
+    }
+    return all;
 }
 
 std::string said_by_recorder(const Recording& recording, const std::string& key) {
@@ -57,7 +92,8 @@ Origin origin_of(const Recording& recording, const Course& course, std::size_t r
         files.push_back(file->path());
     return {.recording = recording.name(),
             .sha256 = recording::sha256(files),
-            .run = course.run,
+            .run = course.runs.back(),
+            .taken_up_from = {course.runs.begin(), course.runs.end() - 1},
             .runs = runs,
             .began_unix_ns = course.first,
             .recording_began_unix_ns = recording.start(),
@@ -82,7 +118,7 @@ void take_statuses(const Course& course, Nanoseconds start, Attempt& attempt) {
 } // namespace
 
 Attempt read_attempt(Recording& recording, std::size_t run) {
-    const auto courses = courses_of(recording);
+    const auto courses = joined(courses_of(recording), taken_up_at(recording));
     if (courses.empty())
         throw std::runtime_error(recording.name() + " has no state of an exercise (topic ExerciseStatus)");
     if (run > courses.size())

@@ -71,6 +71,54 @@ TEST(Reassessment, RecordedMarksComeOutAgainBitForBit) {
     EXPECT_NE(found.runs.front().result.assessment_hash, live);
 }
 
+// A lesson across a loss of its server is one attempt, with a mark where it was lost, and is marked as one.
+TEST(Reassessment, LessonAcrossALossOfItsServerIsOneAttempt) {
+    const Folder folder;
+    std::uint64_t live = 0;
+    double taken_up = 0;
+    {
+        TapedSession taped(folder.path(), lesson_def());
+        taped.run(15 * kBeats);
+        levers(taped, 0);
+        taped.run(6 * kBeats);
+        const auto kept = taped.kept();
+        taken_up = taped.session().now_time();
+        taped.run(1);
+        levers(taped, 1); // in ticks that are lost with the server, and so is this
+        taped.give(
+            exercise::Order{exercise::ReportMade{.code = exercise::ReportCode::brought_up, .side = 0}});
+        taped.run(kBeats / 3);
+        taped.lose_server(kept);
+        taped.run(2 * kBeats); // paused
+        taped.give(run::RunAction::start, 0);
+        taped.run(5 * kBeats);
+        levers(taped, 0.02);
+        taped.run(3 * kBeats);
+        taped.give(run::RunAction::stop);
+        taped.run(1 * kBeats);
+        live = taped.session().assessor().result().assessment_hash;
+        taped.close();
+    }
+    recording::Recording recording({folder.path()});
+    const debrief::Attempt attempt = debrief::read_attempt(recording);
+    EXPECT_EQ(attempt.origin.runs, 1U);
+    EXPECT_EQ(attempt.origin.taken_up_from.size(), 1U);
+    EXPECT_LT(attempt.began, 1) << "from its beginning";
+    EXPECT_NEAR(attempt.ended, taken_up + 8, 1);
+    const auto at = [&](const char* code) {
+        const auto found =
+            std::ranges::find_if(attempt.events, [&](const Event& each) { return each.code() == code; });
+        return found == attempt.events.end() ? -1 : found->time();
+    };
+    EXPECT_NEAR(at("anchor.let_go"), 17, 2) << "before the loss, when the wheel has been turned";
+    EXPECT_NEAR(at("exercise.taken_up"), taken_up, 0.01) << "the mark";
+    EXPECT_TRUE(attempt.reports.empty()) << "of ticks that were lost with the server";
+    EXPECT_EQ(attempt.lever_moves.size(), 2U) << "one before the loss and one after it";
+    ASSERT_TRUE(attempt.assessment);
+    EXPECT_EQ(attempt.assessment->assessment_hash(), live);
+    EXPECT_EQ(reassess(recording).runs.back().result.assessment_hash, live) << "marked again from its orders";
+}
+
 // One judge: what the debriefing says of a report and of the end is what the server has judged and recorded.
 TEST(Reassessment, DebriefingHasTheServersJudgement) {
     const Folder folder;

@@ -9,6 +9,7 @@
 #include "tests/recorder/made_recording.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace windlass::test {
 
@@ -23,13 +24,30 @@ public:
     Tamper<ExerciseTruth> truths = [](ExerciseTruth&) { return true; };
 
     explicit TapedSession(const std::filesystem::path& folder, const exercise::ExerciseDef& def = {})
-        : session_(def, options()), tape_({.folder = folder}) {}
+        : def_(def), session_(std::in_place, def, options()), tape_({.folder = folder}) {}
+
+    /// The server is killed, and started again: the exercise is taken up at the state that it kept at `kept`
+    /// beats before, and stands paused.
+    void lose_server(const std::vector<std::uint8_t>& kept) {
+        run::SessionOptions again = options();
+        again.first_run = session_->status().run + 1000;
+        again.resumption = run::Resumption{.checkpoint = kept, .refused = {}, .set_back = {}};
+        session_.emplace(def_, again);
+        publish(true);
+    }
+    /// What a server that is killed now has kept.
+    std::vector<std::uint8_t> kept() {
+        session_->take_checkpoint_now();
+        const std::vector<std::uint8_t> bytes = session_->checkpoint()->data;
+        publish(false);
+        return bytes;
+    }
 
     /// The order is taken before the next tick, and what comes of it is recorded.
     void give(run::OrderContent order, const char* source = "trainee-1") {
         run::Inbox inbox;
         inbox.orders.push_back({source, std::move(order)});
-        session_.carry_out(inbox, now_);
+        session_->carry_out(inbox, now_);
     }
     void give(run::RunAction action, double restore_time = 0) {
         run::RunOrder order;
@@ -41,14 +59,14 @@ public:
     /// So many beats of the server; status and truth every 20 of them.
     void run(int beats) {
         for (int i = 0; i < beats; ++i) {
-            session_.carry_out({}, now_);
-            session_.tick();
-            now_ += session_.dt();
+            session_->carry_out({}, now_);
+            session_->tick();
+            now_ += session_->dt();
             publish(++beats_ % 20 == 0);
         }
     }
     void close() { tape_.close({}); }
-    run::Session& session() { return session_; }
+    run::Session& session() { return *session_; }
 
 private:
     static run::SessionOptions options() {
@@ -59,18 +77,20 @@ private:
     }
 
     void publish(bool status) {
-        for (const auto& order : session_.orders())
+        for (const auto& event : session_->events())
+            write(wire::topics::event, {}, event);
+        for (const auto& order : session_->orders())
             write(wire::topics::order_taken, orders, order);
-        if (session_.assessment()) write(wire::topics::assessment, assessments, *session_.assessment());
-        if (const auto* checkpoint = session_.checkpoint())
+        if (session_->assessment()) write(wire::topics::assessment, assessments, *session_->assessment());
+        if (const auto* checkpoint = session_->checkpoint())
             write(wire::topics::checkpoint, checkpoints, *checkpoint);
-        session_.clear_news();
+        session_->clear_news();
         if (!status) return;
         ExerciseStatus seen;
-        dds::convert(session_.snapshot(), session_.status(), seen);
+        dds::convert(session_->snapshot(), session_->status(), seen);
         put(wire::topics::exercise_status, {}, seen);
         ExerciseTruth truth;
-        dds::convert(session_.snapshot(), session_.status(), truth);
+        dds::convert(session_->snapshot(), session_->status(), truth);
         put(wire::topics::exercise_truth, truths, truth);
     }
     template <class T, class View>
@@ -85,7 +105,8 @@ private:
         if (!tamper || tamper(value)) tape_.write(sample(topic, value, now_));
     }
 
-    run::Session session_;
+    const exercise::ExerciseDef def_;
+    std::optional<run::Session> session_;
     recorder::Tape tape_;
     double now_ = 0; // s of wall time
     int beats_ = 0;
