@@ -163,6 +163,18 @@ void check_stowage(const exercise::ExerciseDef& def, const exercise::GroundTackl
                                std::ceil(100 * home) / 100, std::floor(-100 * home) / 100));
 }
 
+/// An anchor that starts below the lip hangs there: cable that lies on the bottom comes of at_anchor alone.
+void check_hang(const exercise::ExerciseDef& def, const exercise::GroundTackleDef& tackle,
+                const std::string& at, Faults& faults) {
+    if (tackle.anchor_home || tackle.at_anchor > 0) return;
+    const double clear = exercise::depth_at_bow(def) + def.ship.hawse_height - tackle.anchor.shank_length;
+    faults.require(
+        tackle.cable_out <= clear, at + "/cable_out", tackle.cable_out,
+        fmt::format("at most {:.1f} m: there the anchor hangs clear of the bottom, which is {} m below the "
+                    "lip; a ship that lies to her cable has at_anchor",
+                    std::floor(10 * clear) / 10, exercise::depth_at_bow(def) + def.ship.hawse_height));
+}
+
 /// She lies to one cable, which something holds, and which is long enough to lie on the bottom.
 void check_start_at_anchor(const exercise::ExerciseDef& def, Faults& faults) {
     constexpr double kScope = 2;   ///< cable over the height from lip to bottom, at least
@@ -231,6 +243,7 @@ std::vector<std::string> physical_faults(const exercise::ExerciseDef& def) {
         const std::string at = "/tackle/" + std::to_string(i);
         check_tackle(def.tackle[i], at, faults);
         check_stowage(def, def.tackle[i], at, faults);
+        check_hang(def, def.tackle[i], at, faults);
         const double depth = exercise::depth_at_bow(def);
         faults.require(depth < def.tackle[i].chain.length, "/environment/depth", depth,
                        fmt::format("less than the chain of {}, {} m: the anchor could not reach the bottom",

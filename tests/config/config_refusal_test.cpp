@@ -29,6 +29,14 @@ TEST_F(ConfigFiles, FaultsAndStartAtAnchorThatCannotBeAreRefused) {
     EXPECT_EQ(refusal(R"({"tackle": [{"at_anchor": 6, "brake": 0.03, "stopper_closed": true}]})"), "");
 }
 
+// It would begin below the bottom, and be thrown out of it.
+TEST_F(ConfigFiles, AnchorThatStartsBelowTheLipHangsClearOfTheBottom) {
+    EXPECT_EQ(refusal(R"({"environment": {"depth": 25}, "tackle": [{"cable_out": 27}]})"), "");
+    const std::string said = refusal(R"({"environment": {"depth": 25}, "tackle": [{"cable_out": 110}]})");
+    EXPECT_NE(said.find("/tackle/0/cable_out: 110 is not allowed: at most 2"), std::string::npos) << said;
+    EXPECT_NE(said.find("a ship that lies to her cable has at_anchor"), std::string::npos) << said;
+}
+
 struct BadFile {
     const char* name;
     std::string text;
