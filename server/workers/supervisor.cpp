@@ -94,9 +94,9 @@ public:
             return;
         }
         if (now - started_ > limits_.settled) early_ends_ = 0;
-        const auto pause = early_ends_ == 0
-                               ? 0ms
-                               : std::min(limits_.first_pause * (1 << (early_ends_ - 1)), limits_.last_pause);
+        const auto longest = serves_ ? limits_.served_pause : limits_.last_pause;
+        const auto pause =
+            early_ends_ == 0 ? 0ms : std::min(limits_.first_pause * (1 << (early_ends_ - 1)), longest);
         early_ends_ = std::min(early_ends_ + 1, 16);
         next_start_ = now + pause;
         spdlog::error("worker {} {}; it is started again{}", number_, in_words(status),

@@ -17,8 +17,8 @@ struct Limits {
     std::chrono::milliseconds silence{10'000};   ///< while it serves
     std::uint64_t memory = 0;                    ///< bytes of it in the machine's memory; 0: any
     /// It comes back at once, but for one that ends again within `settled`: that one waits from `first_pause`
-    /// to `last_pause`, twice as long each time.
-    std::chrono::milliseconds settled{10'000}, first_pause{500}, last_pause{30'000};
+    /// on, twice as long each time; at most `last_pause`, and `served_pause` where it came to serve.
+    std::chrono::milliseconds settled{10'000}, first_pause{500}, served_pause{1'000}, last_pause{30'000};
 };
 
 /// The whole work of worker 1, 2, ..., in its own process. Returns its exit code: 0 or 1, it has come to its

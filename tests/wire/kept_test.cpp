@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <map>
 #include <mutex>
+#include <random>
 
 namespace windlass::test {
 using namespace rigs;
@@ -303,6 +304,85 @@ TEST_F(ServerThatKeeps, BringsBackWhatWorkersKeptWhenAllOfItWasKilled) {
     EXPECT_GE(witness_.status().time(), 1.5);
     server->signal(SIGTERM);
     EXPECT_EQ(server->exit_code(), 0);
+}
+
+/// Every order that a server took, as anybody hears it, but for those that were lost with it.
+class OrdersHeard {
+public:
+    /// State hashes that an exercise nobody has disturbed comes to at that tick with these orders: with those
+    /// of the tick itself, and without. What was taken later in that run has not happened, and is forgotten.
+    std::vector<std::uint64_t> undisturbed(std::uint64_t run, std::uint64_t tick) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(orders_,
+                      [&](const auto& each) { return each.first.first == run && each.second.tick > tick; });
+        std::vector<std::uint64_t> hashes;
+        for (const bool of_the_tick : {true, false}) {
+            exercise::Exercise exercise(config::load_exercise(kExercise));
+            auto next = orders_.begin();
+            for (;;) {
+                for (; next != orders_.end() && next->second.tick == exercise.tick() &&
+                       (of_the_tick || next->second.tick < tick);
+                     ++next)
+                    exercise.apply(next->second.command);
+                if (exercise.tick() == tick) break;
+                exercise.step(1.0 / exercise.def().tick_rate_hz);
+            }
+            exercise::StateHash hash;
+            exercise.visit_state(hash);
+            hashes.push_back(hash.value());
+        }
+        return hashes;
+    }
+
+private:
+    std::mutex mutex_;
+    std::map<std::pair<std::uint64_t, std::uint64_t>, run::OrderView> orders_; // by run and number
+    wire::Participant participant_{{own_domain(), "exercise/default", "auditor"}};
+    wire::Reader<OrderTaken> reader_{participant_, topics::order_taken, [this](const OrderTaken& sample) {
+                                         const std::lock_guard lock(mutex_);
+                                         orders_[{sample.run(), sample.number()}] = dds::order_view(sample);
+                                     }};
+};
+
+/// Drill, for ./check --long: the worker that has the exercise is killed at random instants of a let-go, ten
+/// at x1 and ten at x8; each time its state is that of an exercise that nobody has disturbed, with the same
+/// orders.
+TEST_F(ServerThatKeeps, DISABLED_TwentyKillsOfAWorker) {
+    std::mt19937 random(20261126);
+    for (const double scale : {1.0, 8.0}) {
+        OrdersHeard heard;
+        std::vector<double> back;
+        const auto keep = folder_ / "keep" / "worker-1";
+        ChildProcess server(server_command(folder_, scale, {"--workers", "1"}));
+        for (int kill_number = 0; kill_number < 10; ++kill_number) {
+            const ChildProcess trainee(trainee_command());
+            const double from = witness_.status().time(),
+                         wait = 0.5 + 4e-3 * scale * static_cast<double>(random() % 1000);
+            ASSERT_TRUE(eventually([&] { return witness_.status().time() > from + wait; })) << server.text();
+            const auto run = witness_.status().run();
+            // Kills within 10 s of the exercise are what a server gives up at; here they are meant.
+            std::filesystem::remove(keep::attempts_file(keep / "exercise-default"));
+            ASSERT_EQ(kill(holder_of(keep), SIGKILL), 0);
+            const auto begin = Clock::now();
+            ASSERT_TRUE(eventually([&] {
+                return witness_.truth().run() > run && witness_.load_at() > begin;
+            })) << server.text();
+            back.push_back(seconds(witness_.load_at() - begin));
+            const ExerciseTruth truth = witness_.truth();
+            EXPECT_THAT(heard.undisturbed(run, truth.tick()), testing::Contains(truth.state_hash()))
+                << "x" << scale << ", kill " << kill_number << ", tick " << truth.tick();
+            ASSERT_TRUE(eventually([&] { return witness_.status().state() == RUN_PAUSED; }));
+            EXPECT_EQ(
+                test::run(INSTRUCTOR_CONSOLE " start --timeout 20 --domain " + std::to_string(own_domain()))
+                    .code,
+                0);
+        }
+        std::ranges::sort(back);
+        std::printf("x%.0f: first load after the kill: median %.2f s, worst %.2f s\n", scale, back[5],
+                    back[9]);
+        server.signal(SIGTERM);
+        EXPECT_EQ(server.exit_code(), 0);
+    }
 }
 
 TEST_F(ServerThatKeeps, DISABLED_PrintTimes) {
