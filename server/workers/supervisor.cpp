@@ -26,8 +26,8 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto kLook = 20ms;
-constexpr auto kLongestLook =
-    200ms;                  // of the silence between two looks: a supervisor that slept blames nobody
+// Of the silence between two looks: a supervisor that slept blames nobody.
+constexpr auto kLongestLook = 200ms;
 constexpr auto kWeigh = 1s; // its memory
 
 /// bytes of the process in the machine's memory; 0: it is gone.
@@ -54,7 +54,6 @@ public:
     bool at_work() const { return process_ > 0; }
     bool done() const { return code_.has_value(); } ///< by itself, or refused
     int code() const { return code_.value_or(0); }
-    bool has_served() const { return served_; }
 
     void start_when_due(Clock::time_point now) {
         if (!at_work() && !done() && now >= next_start_) start(now);
@@ -71,10 +70,11 @@ public:
         }
     }
 
-    /// Kills it where it hangs or has grown too much.
-    void judge(Clock::time_point now) {
+    /// Kills it where it hangs or has grown too much. stopping: it was told to end.
+    void judge(Clock::time_point now, bool stopping) {
         if (!at_work() || killed_) return;
-        if (silence_ > (serves_ ? limits_.silence : limits_.starting))
+        const auto working = serves_ ? limits_.silence : limits_.starting;
+        if (silence_ > (stopping ? limits_.ending : working))
             return end_it(fmt::format("hangs: it has given no sign of life for {:.1f} s",
                                       std::chrono::duration<double>(silence_).count()));
         if (limits_.memory == 0 || now < weighed_ + kWeigh) return;
@@ -110,13 +110,19 @@ public:
     }
 
 private:
+    /// A machine that has no room for it just now is asked again later.
     void start(Clock::time_point now) {
+        next_start_ = now + limits_.last_pause;
         std::array<int, 2> ends{};
-        if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
-            throw std::system_error(errno, std::generic_category(), "a worker's pipe");
+        if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) return cannot_start();
         const pid_t supervisor = getpid();
         process_ = fork();
-        if (process_ < 0) throw std::system_error(errno, std::generic_category(), "a worker's process");
+        if (process_ < 0) {
+            cannot_start();
+            close(ends[0]);
+            close(ends[1]);
+            return;
+        }
         if (process_ == 0) {
             close(ends[0]);
             prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -129,6 +135,12 @@ private:
         silence_ = {};
         serves_ = killed_ = false;
         spdlog::debug("worker {} is process {}", number_, process_);
+    }
+
+    void cannot_start() const {
+        spdlog::error("worker {} cannot be started: {}; it is tried again in {:.1f} s", number_,
+                      std::generic_category().message(errno),
+                      1e-3 * static_cast<double>(limits_.last_pause.count()));
     }
 
     void end_it(const std::string& why) {
@@ -165,9 +177,11 @@ int supervise(unsigned count, const Limits& limits, const Work& work, const std:
     for (auto looked = Clock::now();;) {
         const bool refused =
             std::ranges::any_of(workers, [](const auto& worker) { return worker->code() > 1; });
-        if (stopping == 0 && (stopping = refused ? SIGTERM : stop()) != 0)
+        if (const int wanted = refused ? SIGTERM : stop(); wanted != 0 && stopping == 0) {
+            stopping = wanted;
             for (const auto& worker : workers)
                 worker->signal(stopping);
+        }
         const auto now = Clock::now();
         for (const auto& worker : workers) {
             if (stopping == 0) worker->start_when_due(now);
@@ -183,7 +197,7 @@ int supervise(unsigned count, const Limits& limits, const Work& work, const std:
         });
         if (over) break;
         for (const auto& worker : workers)
-            worker->judge(now);
+            worker->judge(now, stopping != 0);
         std::this_thread::sleep_for(kLook);
     }
     const auto first = std::ranges::find_if(workers, [](const auto& worker) { return worker->code() != 0; });

@@ -15,6 +15,7 @@ namespace windlass::workers {
 struct Limits {
     std::chrono::milliseconds starting{300'000}; ///< between two signs of life while it opens exercises
     std::chrono::milliseconds silence{10'000};   ///< while it serves
+    std::chrono::milliseconds ending{60'000};    ///< from when it was told to end until it has
     std::uint64_t memory = 0;                    ///< bytes of it in the machine's memory; 0: any
     /// It comes back at once, but for one that ends again within `settled`: that one waits from `first_pause`
     /// on, twice as long each time; at most `last_pause`, and `served_pause` where it came to serve.

@@ -385,6 +385,88 @@ TEST_F(ServerThatKeeps, DISABLED_TwentyKillsOfAWorker) {
     }
 }
 
+/// By how much ticks ended late, the worst of each second of each exercise of the workers but the first, as
+/// servers tell it.
+class Lateness {
+public:
+    void begin() {
+        const std::lock_guard lock(mutex_);
+        late_.clear();
+    }
+    void print(const char* what) {
+        const std::lock_guard lock(mutex_);
+        std::ranges::sort(late_);
+        const auto part = [&](double share) {
+            return late_.empty()
+                       ? -1
+                       : 1e3 * late_[static_cast<std::size_t>(share * static_cast<double>(late_.size() - 1))];
+        };
+        std::printf("%-44s half %5.2f ms, 99 %% %6.2f ms, all %7.2f ms (%zu seconds of an exercise)\n", what,
+                    part(0.5), part(0.99), part(1), late_.size());
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<double> late_; // s
+    wire::Participant participant_{{own_domain(), wire::kClassroomPartition, "witness"}};
+    wire::Reader<ClassroomStatus> reader_{participant_, topics::classroom_status,
+                                          [this](const ClassroomStatus& s) {
+                                              if (s.server().to_string().ends_with("-1")) return;
+                                              const std::lock_guard lock(mutex_);
+                                              for (const ClassroomExercise& each : s.exercises())
+                                                  late_.push_back(each.lateness());
+                                          }};
+};
+
+// Prints what 48 exercises of three workers feel of what becomes of the fourth, with 16: docs/failures.md.
+TEST_F(ServerThatKeeps, DISABLED_PrintNeighbours) {
+    std::vector<std::string> command{WINDLASS_SERVER,
+                                     "--workers",
+                                     "4",
+                                     "--name",
+                                     "room",
+                                     "--keep",
+                                     (folder_ / "keep").string(),
+                                     "--domain",
+                                     std::to_string(own_domain())};
+    for (int k = 1; k <= 64; ++k)
+        command.insert(command.end(), {"--partition", "s" + std::to_string(k)});
+    Lateness others;
+    ChildProcess server(command);
+    const auto worker = [&] { return holder_of(folder_ / "keep" / "worker-1"); };
+    ASSERT_TRUE(eventually([&] {
+        return run(INSTRUCTOR_CONSOLE " classroom list --domain " + std::to_string(own_domain()))
+                   .text.find("room-4") != std::string::npos;
+    })) << server.text();
+    pace(std::chrono::seconds(20));
+    const auto phase = [&](const char* what, const std::function<void(int second)>& each_second) {
+        others.begin();
+        for (int second = 0; second < 30; ++second) {
+            each_second(second);
+            pace(std::chrono::seconds(1));
+        }
+        others.print(what);
+    };
+    phase("nothing happens", [](int) {});
+    phase("a worker is killed every 5 s", [&](int second) {
+        if (second % 5 == 0) kill(worker(), SIGKILL);
+    });
+    pace(std::chrono::seconds(5));
+    phase("a worker hangs, and is killed after 10 s", [&](int second) {
+        if (second == 0) kill(worker(), SIGSTOP);
+    });
+    pace(std::chrono::seconds(5));
+    phase("its sixteen exercises go at x20", [&](int second) {
+        if (second > 0) return;
+        for (int k = 1; k <= 64; k += 4)
+            for (const char* order : {" start", " time-scale 20"})
+                run(std::string(INSTRUCTOR_CONSOLE) + order + " --timeout 20 --partition s" +
+                    std::to_string(k) + " --domain " + std::to_string(own_domain()));
+    });
+    server.signal(SIGTERM);
+    EXPECT_EQ(server.exit_code(), 0);
+}
+
 TEST_F(ServerThatKeeps, DISABLED_PrintTimes) {
     std::vector<double> heard, standing;
     auto server = std::make_unique<ChildProcess>(server_command(folder_, 1));
