@@ -109,7 +109,7 @@ class Classroom {
 
   private update(): void {
     const all = this.page.link.all("ClassroomStatus").sort((a, b) => a.server.localeCompare(b.server));
-    this.create.showServers(all.map((status) => status.server));
+    this.create.showServers(new Map(all.map((status) => [status.server, status.exercises.length])));
     const there = new Set<string>();
     for (const status of all) {
       const group = this.group(status);

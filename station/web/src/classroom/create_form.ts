@@ -8,7 +8,10 @@ const kLargest = 14000; // bytes of a definition: what a message to the station 
 
 export class CreateForm {
   readonly element: HTMLElement;
-  private readonly server = h("select", { "aria-label": t("server") });
+  private readonly server = h("select", {
+    "aria-label": t("server"),
+    onchange: () => (this.byHand = this.server.value),
+  });
   private readonly id = h("input", {
     "aria-label": t("name of the exercise"),
     placeholder: t("name, e.g. anna"),
@@ -25,6 +28,8 @@ export class CreateForm {
     accept: ".json,application/json",
     "aria-label": t("definition from this computer"),
   });
+  /** The server that was chosen; empty: none was. */
+  private byHand = "";
   private readonly wait = h("input", { type: "checkbox", checked: true });
 
   /** give: sends a ClassroomCommand, true when it went out; say: tells what cannot be sent. */
@@ -45,11 +50,14 @@ export class CreateForm {
     );
   }
 
-  showServers(names: string[]): void {
-    if (names.join() === [...this.server.options].map((o) => o.value).join()) return;
-    const chosen = this.server.value;
-    this.server.replaceChildren(...names.map((name) => h("option", { value: name }, name)));
-    if (names.includes(chosen)) this.server.value = chosen;
+  /** Until one is chosen by hand the one that has fewest exercises is. */
+  showServers(servers: ReadonlyMap<string, number>): void {
+    const names = [...servers.keys()];
+    if (names.join() !== [...this.server.options].map((o) => o.value).join())
+      this.server.replaceChildren(...names.map((name) => h("option", { value: name }, name)));
+    if (!servers.has(this.byHand)) this.byHand = "";
+    const fewest = Math.min(...servers.values());
+    this.server.value = this.byHand || (names.find((name) => servers.get(name) === fewest) ?? "");
   }
 
   private async send(event: Event): Promise<void> {
