@@ -5,6 +5,7 @@ import { h, setAttribute, setText } from "../kit/dom";
 import { bearing, clock, figure, kShackle, knots, sideName } from "../kit/units";
 import { directionTo, distance, ofShip } from "../plan/projection";
 import type { PlanCircle } from "../plan/picture";
+import { originOf, placeAt } from "../surroundings/position";
 import type { Connection } from "../wire/connection";
 import { AlertCondition, type BridgeView } from "../wire/generated";
 import { type AnchorPlot, shipOf } from "./anchor_plot";
@@ -39,6 +40,7 @@ export class WatchPanel {
     text: HTMLElement;
     row: HTMLElement;
     cable: HTMLInputElement;
+    there: HTMLInputElement;
   }[];
   private readonly centre = h("select", { "aria-label": "centre of the circle" });
   private readonly radius = h("input", {
@@ -152,7 +154,9 @@ export class WatchPanel {
 
   /** Follows anchors and ship; a few times a second. */
   update(): void {
-    this.anchors.forEach(({ mark, clear, text, cable }, k) => {
+    const origin = originOf(this.link.latest("Landmarks"));
+    this.anchors.forEach(({ mark, clear, text, cable, there }, k) => {
+      there.hidden = !origin;
       const side = k as Side;
       const { place, time, reported } = this.plot.of(side);
       const out = this.plot.cable(side);
@@ -213,6 +217,18 @@ export class WatchPanel {
       const shackles = Number(cable.value);
       this.plot.setCable(side, cable.value !== "" && shackles > 0 ? shackles * kShackle : undefined);
     });
+    const there = h("input", {
+      class: "there",
+      type: "text",
+      placeholder: "or its place: 48\u00b000.000'N 020\u00b000.000'W",
+      "aria-label": `${name} anchor's place, latitude and longitude`,
+    });
+    there.addEventListener("change", () => {
+      const origin = originOf(this.link.latest("Landmarks"));
+      const place = origin && placeAt(origin, there.value);
+      setAttribute(there, "aria-invalid", place || there.value.trim() === "" ? undefined : "true");
+      if (place) this.plot.lay(side, place);
+    });
     const text = h("small", {});
     const row = h(
       "div",
@@ -221,9 +237,10 @@ export class WatchPanel {
       mark,
       clear,
       h("label", {}, cable, " sh."),
+      there,
       text,
     );
-    return { mark, clear, text, row, cable };
+    return { mark, clear, text, row, cable, there };
   }
 
   private granted(): boolean {
