@@ -89,6 +89,11 @@ export class AnchorPlot {
     else if (now) this.set(side, { place: now, time });
   }
 
+  /** Plots an anchor at a place that the bridge was told, by who had the watch before. */
+  lay(side: 0 | 1, place: Place): void {
+    this.set(side, { place, time: this.link.latest("BridgeView")?.time ?? 0, reported: undefined });
+  }
+
   /** Takes an anchor off the plan. */
   clear(side: 0 | 1): void {
     this.set(side, { place: undefined, time: undefined, reported: undefined, cables: undefined });

@@ -5,6 +5,7 @@ import { h, setAttribute, setText } from "../kit/dom";
 import { bearing, clock, figure, kShackle, knots, sideWord } from "../kit/units";
 import { directionTo, distance, ofShip } from "../plan/projection";
 import type { PlanCircle } from "../plan/picture";
+import { originOf, placeAt } from "../surroundings/position";
 import type { Connection } from "../wire/connection";
 import { AlertCondition, type BridgeView } from "../wire/generated";
 import { type AnchorPlot, shipOf } from "./anchor_plot";
@@ -40,6 +41,7 @@ export class WatchPanel {
     text: HTMLElement;
     row: HTMLElement;
     cable: HTMLInputElement;
+    there: HTMLInputElement;
   }[];
   private readonly centre = h("select", { "aria-label": t("centre of the circle") });
   private readonly radius = h("input", {
@@ -161,7 +163,9 @@ export class WatchPanel {
 
   /** Follows anchors and ship; a few times a second. */
   update(): void {
-    this.anchors.forEach(({ mark, clear, text, cable }, k) => {
+    const origin = originOf(this.link.latest("Landmarks"));
+    this.anchors.forEach(({ mark, clear, text, cable, there }, k) => {
+      there.hidden = !origin;
       const side = k as Side;
       const { place, time, reported } = this.plot.of(side);
       const out = this.plot.cable(side);
@@ -224,6 +228,18 @@ export class WatchPanel {
       const shackles = Number(cable.value);
       this.plot.setCable(side, cable.value !== "" && shackles > 0 ? shackles * kShackle : undefined);
     });
+    const there = h("input", {
+      class: "there",
+      type: "text",
+      placeholder: `${t("or its place:")} 48\u00b000.000'N 020\u00b000.000'W`,
+      "aria-label": t("{side} anchor's place, latitude and longitude", { side: name }),
+    });
+    there.addEventListener("change", () => {
+      const origin = originOf(this.link.latest("Landmarks"));
+      const place = origin && placeAt(origin, there.value);
+      setAttribute(there, "aria-invalid", place || there.value.trim() === "" ? undefined : "true");
+      if (place) this.plot.lay(side, place);
+    });
     const text = h("small", {});
     const row = h(
       "div",
@@ -232,9 +248,10 @@ export class WatchPanel {
       mark,
       clear,
       h("label", {}, cable, ` ${t("sh.")}`),
+      there,
       text,
     );
-    return { mark, clear, text, row, cable };
+    return { mark, clear, text, row, cable, there };
   }
 
   private granted(): boolean {

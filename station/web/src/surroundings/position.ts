@@ -43,6 +43,30 @@ export function positionWords({ latitude, longitude }: Position): { latitude: st
   };
 }
 
+/**
+ * Where in the world a position lies that was written as mariners write it, m east and north of the origin; signs and
+ * spaces may be left out: "48 00.047 N 20 00.005 W". Undefined: it is none.
+ */
+export function placeAt(origin: Position, written: string): { x: number; y: number } | undefined {
+  const angle = String.raw`(\d{1,3})(?:\s*\u00b0\s*|\s+)(\d{1,2}(?:[.,]\d*)?)\s*['\u2032]?\s*`;
+  const parts = new RegExp(String.raw`^\s*${angle}([NS])[\s,;]*${angle}([EW])\s*$`, "i").exec(written);
+  if (!parts) return undefined;
+  const degrees = (first: number, negative: string): number => {
+    const minutes = Number(parts[first + 1]!.replace(",", "."));
+    const size = minutes < 60 ? Number(parts[first]) + minutes / 60 : NaN;
+    return parts[first + 2]!.toUpperCase() === negative ? -size : size;
+  };
+  const latitude = degrees(1, "S");
+  const longitude = degrees(4, "W");
+  if (!(Math.abs(latitude) <= 90 && Math.abs(longitude) <= 180)) return undefined;
+  const { meridian, across } = radiiOfCurvature(origin.latitude);
+  const east = longitude - origin.longitude;
+  return {
+    x: radians(east - 360 * Math.round(east / 360)) * across * Math.cos(radians(origin.latitude)), // across the date line
+    y: radians(latitude - origin.latitude) * meridian,
+  };
+}
+
 /** Rounded before it is taken apart, so that there are never 60 minutes. */
 function degreesAndMinutes(angle: number, figures: number): string {
   const thousandths = Math.round(Math.abs(angle) * 60000);

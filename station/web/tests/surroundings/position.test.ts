@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { positionAt, positionWords, radiiOfCurvature } from "../../src/surroundings/position";
+import { placeAt, positionAt, positionWords, radiiOfCurvature } from "../../src/surroundings/position";
 
 const near = (value: number, wanted: number, tolerance: number): void =>
   assert.ok(Math.abs(value - wanted) <= tolerance, `${value} is not ${wanted}`);
@@ -49,4 +49,25 @@ test("a position is written in degrees and minutes with its quarter", () => {
 test("sixty minutes are the next degree", () => {
   assert.deepEqual(words(49.9999999, -0.9999999), ["50\u00b000.000'N", "001\u00b000.000'W"]);
   assert.deepEqual(words(50 + 59.9994 / 60, 9 + 59.9996 / 60), ["50\u00b059.999'N", "010\u00b000.000'E"]);
+});
+
+test("a place is found again from its position as it is written, to a thousandth of a minute", () => {
+  for (const origin of [
+    { latitude: 48, longitude: -20 },
+    { latitude: -33, longitude: 179.999 },
+  ]) {
+    const { latitude, longitude } = positionWords(positionAt(origin, -1234, 567));
+    const place = placeAt(origin, `${latitude} ${longitude}`)!;
+    near(place.x, -1234, 1);
+    near(place.y, 567, 1);
+  }
+});
+
+test("a position may be written without signs, and what is none is refused", () => {
+  const origin = { latitude: 48, longitude: -20 };
+  const place = placeAt(origin, "48 00.047 n, 20 00,005 w")!;
+  near(place.x, -6.2, 0.1);
+  near(place.y, 87.1, 0.1);
+  for (const none of ["", "48 N 20 W", "48 60.0 N 20 00.0 W", "95 00.0 N 20 00.0 W", "48 00.0 N", "6 shackles"])
+    assert.equal(placeAt(origin, none), undefined, none);
 });
