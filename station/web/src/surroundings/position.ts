@@ -60,9 +60,10 @@ export function placeAt(origin: Position, written: string): { x: number; y: numb
   const longitude = degrees(4, "W");
   if (!(Math.abs(latitude) <= 90 && Math.abs(longitude) <= 180)) return undefined;
   const { meridian, across } = radiiOfCurvature(origin.latitude);
-  const east = longitude - origin.longitude;
+  const turned = longitude - origin.longitude;
+  const east = turned - 360 * Math.round(turned / 360); // across the date line
   return {
-    x: radians(east - 360 * Math.round(east / 360)) * across * Math.cos(radians(origin.latitude)), // across the date line
+    x: radians(east) * across * Math.cos(radians(origin.latitude)),
     y: radians(latitude - origin.latitude) * meridian,
   };
 }
