@@ -299,6 +299,18 @@ TEST_F(HostTest, NameInUseIsRefusedAndWhatRunsGoesOn) {
     EXPECT_TRUE(eventually([&] { return host.status().front().load > 0; }));
 }
 
+/// By which a supervisor is told that a tick hangs: it lasts, and its worker says so by saying nothing.
+TEST_F(HostTest, KnowsHowLongABeatLastsThatAThreadIsAt) {
+    const wire::Participant member({rigs::own_domain(), "classroom", "host"});
+    HostThreads threads(1);
+    Host host(member, threads);
+    EXPECT_EQ(host.longest_beat().count(), 0);
+    host.open("at-work", let_go(25), options(0, 0)); // as fast as possible: a thread is nearly always at it
+    EXPECT_TRUE(eventually([&] { return host.longest_beat().count() > 0; }));
+    host.close("at-work", "enough");
+    EXPECT_EQ(host.longest_beat().count(), 0);
+}
+
 TEST_F(HostTest, OfALoadThatLeavesNoRoomNoExerciseIsCreated) {
     wire::Participant member({rigs::own_domain(), wire::kClassroomPartition, "server"});
     HostThreads threads(1);
