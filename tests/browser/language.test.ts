@@ -6,7 +6,7 @@ import { after, before, test } from "node:test";
 
 import german from "../../words/pages_de.json";
 import { closeBrowser, closePage, openPage } from "./browser";
-import { cutOff, hadNoProblems, passesAxe, unreachable } from "./pages";
+import { cutOff, hadNoProblems, heard, passesAxe, unreachable } from "./pages";
 import { Rig, eventually } from "./rig";
 
 const kSizes: [number, number][] = [
@@ -20,11 +20,7 @@ const urls: Record<string, string> = {};
 before(
   async () => {
     rig.server("L05_standing_moor", "--wait"); // both windlasses
-    const [ship, desk] = [await rig.station("ship"), await rig.desk()];
-    for (const station of [ship, desk]) {
-      await eventually("all its pages are told", () => station.urls().length >= 3);
-      for (const url of station.urls()) urls[new URL(url).pathname.slice(1)] = url;
-    }
+    Object.assign(urls, await rig.everyPage());
   },
   { timeout: 180000 },
 );
@@ -39,16 +35,6 @@ const open = (name: string) =>
     locale: "de-DE",
     init: () => localStorage.setItem("windlass.views", "plan"),
   });
-
-/** What shows that the page has heard of the exercise. */
-const heard = {
-  forecastle: ".counter strong",
-  bridge: ".readout strong",
-  watch: ".readout strong",
-  instructor: ".truth tbody tr",
-  classroom: ".tile",
-  lessons: "main button",
-};
 
 for (const [name, sign] of Object.entries(heard))
   test(`the page ${name} is read in German`, async () => {

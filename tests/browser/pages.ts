@@ -9,6 +9,16 @@ import type { Locator, Page } from "playwright-core";
 import type { TestPage } from "./browser";
 import { eventually } from "./rig";
 
+/** What shows that a page has heard of the exercise, by its name. */
+export const heard = {
+  forecastle: ".counter strong",
+  bridge: ".readout strong",
+  watch: ".readout strong",
+  instructor: ".truth tbody tr",
+  classroom: ".tile",
+  lessons: "main button",
+};
+
 /** No finding of axe-core that is serious or critical. */
 export async function passesAxe(page: Page): Promise<void> {
   await page.evaluate(await readFile(join(root, "build/web/node_modules/axe-core/axe.min.js"), "utf8"));

@@ -173,6 +173,16 @@ export class Rig {
     return this.pages("instructor_console", ...this.session, "--name", name, "ui", "--ui-port", `${port}`, ...more);
   }
 
+  /** Addresses by their names of all pages of a ship's station and of an instructor's. */
+  async everyPage(): Promise<Record<string, string>> {
+    const urls: Record<string, string> = {};
+    for (const station of [await this.station("ship"), await this.desk()]) {
+      await eventually("all its pages are told", () => station.urls().length >= 3);
+      for (const url of station.urls()) urls[new URL(url).pathname.slice(1)] = url;
+    }
+    return urls;
+  }
+
   /** A replay of a recording in that partition, paused at its beginning. */
   replay(recording: string, partition: string): Program {
     return this.start(

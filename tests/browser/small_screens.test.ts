@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
 import { closeBrowser, closePage, openPage } from "./browser";
-import { hadNoProblems, unreachable } from "./pages";
+import { hadNoProblems, heard, unreachable } from "./pages";
 import { Rig, eventually } from "./rig";
 
 const kSizes: [number, number][] = [
@@ -20,11 +20,7 @@ const urls: Record<string, string> = {};
 before(
   async () => {
     rig.server("L05_standing_moor", "--wait"); // both windlasses
-    const [ship, desk] = [await rig.station("ship"), await rig.desk()];
-    for (const station of [ship, desk]) {
-      await eventually("all its pages are told", () => station.urls().length >= 3);
-      for (const url of station.urls()) urls[new URL(url).pathname.slice(1)] = url;
-    }
+    Object.assign(urls, await rig.everyPage());
   },
   { timeout: 180000 },
 );
@@ -32,16 +28,6 @@ after(async () => {
   await closeBrowser();
   await rig.end();
 });
-
-/** What shows that the page has heard of the exercise. */
-const heard = {
-  forecastle: ".counter strong",
-  bridge: ".readout strong",
-  watch: ".readout strong",
-  instructor: ".truth tbody tr",
-  classroom: ".tile",
-  lessons: "main button",
-};
 
 for (const [name, sign] of Object.entries(heard))
   test(`every control of the page ${name} can be reached at every size`, async () => {
