@@ -52,6 +52,10 @@ private:
         bool recorded = false; // its recording is asked to end
         std::optional<gateway::Clock::time_point> asked = {};
     };
+    struct Asked {
+        std::string server;
+        gateway::Clock::time_point at;
+    };
     struct Found {
         std::string server;
         ClassroomExercise exercise;
@@ -67,14 +71,10 @@ private:
     std::vector<ClassroomStatus> servers_;
     std::map<std::string, Found> found_;                 // by exercise
     std::map<std::string, std::unique_ptr<Desk>> desks_; // by exercise, of classes
-    struct Asked {
-        std::string server;
-        gateway::Clock::time_point at;
-    };
-    std::map<std::string, Asked> asked_;             // to be created, by exercise
-    std::map<std::string, std::string> recordings_;  // by exercise; empty: there is none
-    std::map<std::string, std::deque<Given>> given_; // by exercise: what has not gone out yet
-    std::map<std::string, Leaving> to_be_removed_;   // by exercise
+    std::map<std::string, Asked> asked_;                 // to be created, by exercise
+    std::map<std::string, std::string> recordings_;      // by exercise; empty: there is none
+    std::map<std::string, std::deque<Given>> given_;     // by exercise: what has not gone out yet
+    std::map<std::string, Leaving> to_be_removed_;       // by exercise
 };
 
 } // namespace windlass::door

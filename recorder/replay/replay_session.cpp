@@ -18,8 +18,7 @@ using Clock = Playhead::Clock;
 constexpr auto kLook = 20ms;    // for commands, and for a server that comes
 constexpr auto kStatus = 200ms; // the replay's own status, as often as a server sends its
 constexpr auto kRepeat = 450ms; // without a recorded ExerciseStatus, the last is sent again: paused, or slow
-constexpr auto kStreams =
-    1s; // while it stands where it was put: a stream is best effort, and a page may have missed it
+constexpr auto kStreams = 1s; // while it stands where it was put: a page may have missed what is best effort
 constexpr auto kMeet = 300ms; // for readers to find the writers: streams are not kept for those who come late
 constexpr auto kLeave = 2000ms; // for the last events to arrive
 constexpr auto kGiveUp = 500ms; // lateness that is not caught up with: the machine slept, or was stopped

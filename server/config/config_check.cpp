@@ -167,12 +167,13 @@ void check_stowage(const exercise::ExerciseDef& def, const exercise::GroundTackl
 void check_hang(const exercise::ExerciseDef& def, const exercise::GroundTackleDef& tackle,
                 const std::string& at, Faults& faults) {
     if (tackle.anchor_home || tackle.at_anchor > 0) return;
-    const double clear = exercise::depth_at_bow(def) + def.ship.hawse_height - tackle.anchor.shank_length;
+    const double height = exercise::depth_at_bow(def) + def.ship.hawse_height;
+    const double clear = height - tackle.anchor.shank_length;
     faults.require(
         tackle.cable_out <= clear, at + "/cable_out", tackle.cable_out,
-        fmt::format("at most {:.1f} m: there the anchor hangs clear of the bottom, which is {} m below the "
-                    "lip; a ship that lies to her cable has at_anchor",
-                    std::floor(10 * clear) / 10, exercise::depth_at_bow(def) + def.ship.hawse_height));
+        fmt::format("at most {:.1f} m: there the anchor hangs clear of the bottom, {:.1f} m below the lip; "
+                    "a ship that lies to her cable has at_anchor",
+                    std::floor(10 * clear) / 10, height));
 }
 
 /// She lies to one cable, which something holds, and which is long enough to lie on the bottom.

@@ -33,8 +33,8 @@ class TaskPool {
 public:
     using Grain = std::ratio<1, 2000>; // s
     static constexpr std::chrono::duration<std::int64_t, Grain> kGrain{1};
-    static constexpr std::chrono::milliseconds kPatience{
-        100}; ///< an order is heard within that, however busy
+    /// Then he goes before any other: orders that wait for him are heard.
+    static constexpr std::chrono::milliseconds kPatience{100};
 
     /// pause: called by each thread, with no task in its hand, before it waits for the next one, and between
     /// two of them when it has worked for a grain. Must not throw.
