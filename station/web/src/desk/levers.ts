@@ -206,7 +206,7 @@ class WindlassCard extends Card {
       slider(t("speed, heave +"), "%", -100, 100, 5, (v) => this.move({ speed_lever: v / 100 })),
       toggle(t("clutch"), t("in"), t("out"), (v) => this.move({ clutch_in: v > 0 })),
       toggle(t("stopper"), t("closed"), t("open"), (v) => this.move({ stopper_closed: v > 0 })),
-      toggle(t("emergency stop"), t("pressed"), t("free"), (v) => this.move({ emergency_stop: v > 0 })),
+      toggle(t("emergency stop"), t("pressed"), t("free|emergency stop"), (v) => this.move({ emergency_stop: v > 0 })),
     ]);
   }
 

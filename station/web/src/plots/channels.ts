@@ -135,7 +135,7 @@ export const panes: readonly PaneSpec[] = [
     unit: "m",
     least: 10,
     channels: [
-      ofWindlass("out", t("out"), 1, (l) => l.cable_out),
+      ofWindlass("out", t("out|cable"), 1, (l) => l.cable_out),
       ofWindlass("counter", t("counter"), 1, (l) => l.cable_out_indicated, { dashed: true }),
     ],
   },
