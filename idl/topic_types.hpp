@@ -8,6 +8,6 @@
     DO(SceneDescription) DO(SeabedDescription) DO(Chart) DO(Landmarks) DO(Event) DO(SeatEvent) DO(Alert) \
     DO(BridgeOrder) DO(Assessment) DO(Checkpoint) DO(OrderTaken) DO(WindlassCommand) \
     DO(HelmCommand) DO(OwnShipInput) DO(ExerciseCommand) DO(EnvironmentCommand) DO(FaultCommand) \
-    DO(Report) DO(BridgeOrderCommand) DO(WatchCircle) DO(LightsAndShapesCommand) DO(AlertCommand) DO(AssessmentCommand) \
+    DO(Report) DO(BridgeOrderCommand) DO(WatchCircle) DO(LightsAndShapesCommand) DO(DeckWorkCommand) DO(AlertCommand) DO(AssessmentCommand) \
     DO(RestoreCommand) DO(ReplayStatus) DO(ReplayCommand) DO(ClassroomStatus) DO(ClassroomCommand)
 // clang-format on

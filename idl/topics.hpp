@@ -309,6 +309,12 @@ inline constexpr Topic<LightsAndShapesCommand> lights_and_shapes_command{{.name 
                                                                           .rate = 0,
                                                                           .reliable = true,
                                                                           .depth = 64}};
+inline constexpr Topic<DeckWorkCommand> deck_work_command{{.name = "DeckWorkCommand",
+                                                           .type = "DeckWorkCommand",
+                                                           .from_server = false,
+                                                           .rate = 0,
+                                                           .reliable = true,
+                                                           .depth = 64}};
 inline constexpr Topic<AlertCommand> alert_command{{.name = "AlertCommand",
                                                     .type = "AlertCommand",
                                                     .from_server = false,
@@ -364,7 +370,7 @@ inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCo
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 44> all{exercise_status,
+inline constexpr std::array<TopicInfo, 45> all{exercise_status,
                                                exercise_truth,
                                                environment_state,
                                                ship_state,
@@ -404,6 +410,7 @@ inline constexpr std::array<TopicInfo, 44> all{exercise_status,
                                                bridge_order_command,
                                                watch_circle,
                                                lights_and_shapes_command,
+                                               deck_work_command,
                                                alert_command,
                                                assessment_command,
                                                replay_status,

@@ -115,6 +115,10 @@ void Seat::perform(const trainee::Step& step, std::vector<run::ReceivedOrder>& o
     if (step.circle)
         orders.push_back({name_, exercise::Order{exercise::WatchCircleOrder{
                                      true, step.circle->x, step.circle->y, step.circle->radius}}});
+    if (step.deck_work)
+        orders.push_back({name_, exercise::Order{exercise::DeckWorkOrder{
+                                     static_cast<exercise::Side>(side_),
+                                     static_cast<exercise::DeckWork>(*step.deck_work)}}});
     if (step.report) orders.push_back({name_, exercise::Order{made(*step.report, side_, picture_)}});
     if (step.order)
         orders.push_back({name_, exercise::Order{exercise::BridgeOrderGiven{

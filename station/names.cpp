@@ -123,6 +123,10 @@ std::optional<CableWeight> cable_weight(std::string_view name) {
     return find_given<CableWeight>(words::kCableWeight, name);
 }
 
+std::optional<DeckWork> deck_work(std::string_view name) {
+    return find<DeckWork>(words::kDeckWork, std::string{name});
+}
+
 std::optional<BridgeOrderCode> bridge_order_code(std::string_view name) {
     std::string wanted{name};
     std::ranges::replace(wanted, '-', '_');

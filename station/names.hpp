@@ -39,6 +39,7 @@ std::optional<ReportCode> report_code(std::string_view name);
 std::optional<BridgeOrderCode> bridge_order_code(std::string_view name); ///< "let_go", or "let-go" as typed
 std::optional<StayGiven> stay_given(std::string_view name);              ///< "short", "up_and_down"
 std::optional<Growing> growing(std::string_view name);                   ///< "slack", "growing", "tight"
+std::optional<DeckWork> deck_work(std::string_view name);                ///< "break_cable"
 std::optional<CableWeight> cable_weight(std::string_view name);          ///< "moderate", "too_much"
 
 /// What a seaman says for it: "on the bottom", "medium stay", "brought up".

@@ -95,6 +95,7 @@ trainee::Script script_of(const Options& options) {
         const auto at = [k](const char* name) { return fmt::format("/steps/{}/{}", k, name); };
         if (step.order && seat != station::Seat::conning) refuse(at("order"), "bridge");
         if (step.report && !station::on_forecastle(seat)) refuse(at("report"), "forecastle or ship");
+        if (step.deck_work && !station::on_forecastle(seat)) refuse(at("deck_work"), "forecastle or ship");
         if (step.show && !station::on_bridge(seat)) refuse(at("show"), "bridge or ship");
         if (step.circle && !station::on_bridge(seat)) refuse(at("circle"), "bridge or ship");
     }

@@ -101,6 +101,7 @@ struct Step {
     Orders orders;
     std::optional<Shown> show;
     std::optional<Circle> circle;
+    std::optional<DeckWork> deck_work; ///< what the men are set to from now on
     std::optional<ReportOrder> report;
     std::optional<BridgesOrder> order;
     std::string say;

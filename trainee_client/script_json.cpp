@@ -135,6 +135,8 @@ Step read_step(const json& object, double default_timeout) {
         step.circle = {.x = object.at("circle").at("x").get<double>(),
                        .y = object.at("circle").at("y").get<double>(),
                        .radius = object.at("circle").at("radius").get<double>()};
+    if (object.contains("deck_work"))
+        step.deck_work = station::deck_work(object.at("deck_work").get<std::string>());
     if (object.contains("report")) step.report = read_report(object.at("report"));
     if (object.contains("order")) step.order = read_bridges_order(object.at("order"));
     step.say = object.value("say", "");

@@ -20,7 +20,10 @@ Trainee::Trainee(station::Client& client, int side, std::optional<Script> script
       side_{side},
       view_{view},
       levers_{client, side, station::LeverSender::kScriptStrength} {
-    if (station::on_forecastle(client.seat())) reports_.emplace(client.participant(), wire::topics::report);
+    if (station::on_forecastle(client.seat())) {
+        reports_.emplace(client.participant(), wire::topics::report);
+        deck_works_.emplace(client.participant(), wire::topics::deck_work_command);
+    }
     if (station::on_bridge(client.seat())) {
         lights_and_shapes_.emplace(client.participant(), wire::topics::lights_and_shapes_command);
         circles_.emplace(client.participant(), wire::topics::watch_circle);
@@ -35,6 +38,7 @@ Trainee::~Trainee() {
     if (orders_) orders_->wait_acknowledged(std::chrono::seconds{1});
     if (circles_) circles_->wait_acknowledged(std::chrono::seconds{1});
     if (lights_and_shapes_) lights_and_shapes_->wait_acknowledged(std::chrono::seconds{1});
+    if (deck_works_) deck_works_->wait_acknowledged(std::chrono::seconds{1});
     if (reports_) reports_->wait_acknowledged(std::chrono::seconds{1});
 }
 
@@ -79,6 +83,7 @@ Trainee::Outcome Trainee::work() {
 
 bool Trainee::heard() const {
     return (!reports_ || client_.server_hears(*reports_)) &&
+           (!deck_works_ || client_.server_hears(*deck_works_)) &&
            (!lights_and_shapes_ || client_.server_hears(*lights_and_shapes_)) &&
            (!circles_ || client_.server_hears(*circles_)) && (!orders_ || client_.server_hears(*orders_));
 }
@@ -92,6 +97,7 @@ void Trainee::perform(const Step& step, const Picture& picture) {
     if (!step.say.empty()) view_.note(picture, step.say);
     if (step.show) show(*step.show, picture);
     if (step.circle) keep(*step.circle, picture);
+    if (step.deck_work) set_men(*step.deck_work, picture);
     if (step.report) report(*step.report, picture);
     if (step.order) order(*step.order, picture);
 }
@@ -117,6 +123,16 @@ void Trainee::keep(const Circle& circle, const Picture& picture) {
     const bool sent = circles_ && circles_->write(command);
     view_.note(picture, fmt::format("{}anchor watch: {:g} m round x {:.0f} m, y {:.0f} m",
                                     sent ? "" : "NOT KEPT, ", circle.radius, circle.x, circle.y));
+}
+
+void Trainee::set_men(DeckWork work, const Picture& picture) {
+    DeckWorkCommand command;
+    command.origin(client_.next_origin());
+    command.side(side_);
+    command.work(work);
+    const bool sent = deck_works_ && deck_works_->write(command);
+    view_.note(picture, fmt::format("{}sets the men to: {}", sent ? "" : "NOT DONE, ",
+                                    words::kDeckWork.at(static_cast<std::size_t>(work)).said));
 }
 
 void Trainee::order(const BridgesOrder& order, const Picture& picture) {

@@ -34,6 +34,7 @@ private:
     void perform(const Step& step, const station::Picture& picture);
     void show(const Shown& shown, const station::Picture& picture);
     void keep(const Circle& circle, const station::Picture& picture);
+    void set_men(DeckWork work, const station::Picture& picture);
     void report(const ReportOrder& order, const station::Picture& picture);
     void order(const BridgesOrder& order, const station::Picture& picture);
     bool heard() const; ///< the server hears what this station says once
@@ -43,6 +44,7 @@ private:
     station::View& view_;
     station::LeverSender levers_;
     std::optional<wire::Writer<Report>> reports_;                           ///< of the forecastle
+    std::optional<wire::Writer<DeckWorkCommand>> deck_works_;               ///< of the forecastle
     std::optional<wire::Writer<LightsAndShapesCommand>> lights_and_shapes_; ///< of the bridge
     std::optional<wire::Writer<WatchCircle>> circles_;                      ///< of the bridge
     std::optional<wire::Writer<BridgeOrderCommand>> orders_;                ///< of the bridge alone

@@ -10,7 +10,7 @@ file(READ "${WORDS}" words)
 string(JSON enumerations GET "${words}" enumerations)
 
 # Enumerations that C++ has from here; every other is a type of its room, and the table of its names alone.
-set(kEnums BridgeOrderCode ReportCode FaultCode CriterionKind CriterionState)
+set(kEnums BridgeOrderCode ReportCode FaultCode CriterionKind CriterionState DeckWork DeckHindrance)
 # Those that have more than a name and a word.
 set(kBridgeOrderCode Order "name=const said said_bare unit:Unit repeat execute")
 set(kReportCode Report "name=const said unit:Unit mark_at:MarkAt event early full half full_off half_off")

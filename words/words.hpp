@@ -84,6 +84,13 @@ constexpr const Fault& row_of(FaultCode code) {
     return kFaultCode.at(static_cast<std::size_t>(code));
 }
 
+constexpr const Named& row_of(DeckWork work) {
+    return kDeckWork.at(static_cast<std::size_t>(work));
+}
+constexpr const Named& row_of(DeckHindrance why) {
+    return kDeckHindrance.at(static_cast<std::size_t>(why));
+}
+
 /// "symptom; reason; way out", for a list of faults.
 std::string fault_text(const Fault& fault);
 

@@ -20,12 +20,13 @@ constexpr double kLook = 0.1;     // s between two looks of a model hand, as in 
 constexpr double kLongest = 3600; // s, of a lesson without a time limit
 constexpr double kRamp = 5;       // s, in which another sea comes
 
-/// A hand's own: levers, reports, what she shows.
+/// A hand's own: levers, reports, what she shows, what the men are set to.
 bool of_a_hand(const exercise::Order& order) {
     return std::holds_alternative<exercise::WindlassOrder>(order) ||
            std::holds_alternative<exercise::HelmOrder>(order) ||
            std::holds_alternative<exercise::ReportMade>(order) ||
-           std::holds_alternative<exercise::LightsAndShapes>(order);
+           std::holds_alternative<exercise::LightsAndShapes>(order) ||
+           std::holds_alternative<exercise::DeckWorkOrder>(order);
 }
 
 /// What the lesson's bridge, faults and weather order: the fold orders it again where it has come to be due.

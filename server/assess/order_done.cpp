@@ -60,6 +60,9 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
     const auto answered = [&] {
         done.signs.push_back({SignKind::order_answered, static_cast<int>(lesson.orders.size())});
     };
+    const auto came = [&](const char* event) {
+        done.signs.push_back({SignKind::event, watch(lesson, {event, side})});
+    };
     switch (order.code) {
     case BridgeOrderCode::stand_by:
         done.bounds = {above("brake_position", kHardOn), is("clutch_out"), is_not("stopper_on")};
@@ -105,6 +108,15 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
         break;
     case BridgeOrderCode::secure:
         done.bounds = {above("brake_position", kHardOn), is("stopper_on"), is("clutch_out")};
+        break;
+    case BridgeOrderCode::buoy_cable:
+        came("cable.broken");
+        break;
+    case BridgeOrderCode::slip:
+        came("cable.slipped");
+        break;
+    case BridgeOrderCode::clear_anchor:
+        came("anchor.cleared");
         break;
     case BridgeOrderCode::how_much:
         answered();

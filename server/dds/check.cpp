@@ -309,6 +309,11 @@ std::optional<run::Refusal> refusal(const LightsAndShapesCommand& sample, const 
         .result(); // two flags: nothing to be out of range
 }
 
+std::optional<run::Refusal> refusal(const DeckWorkCommand& sample, const run::Limits& limits) {
+    Checker check("DeckWorkCommand", sample.origin(), sample.side());
+    return check.side_present(sample.side(), limits).known("work", sample.work(), kLastDeckWork).result();
+}
+
 std::optional<run::Refusal> refusal(const OwnShipInput& sample, const run::Limits& limits) {
     const auto& at = sample.position();
     const auto& turned = sample.attitude();

@@ -22,6 +22,7 @@ std::optional<run::Refusal> refusal(const OwnShipInput& sample, const run::Limit
 std::optional<run::Refusal> refusal(const AssessmentCommand& sample, const run::Limits& limits);
 std::optional<run::Refusal> refusal(const WatchCircle& sample, const run::Limits& limits);
 std::optional<run::Refusal> refusal(const LightsAndShapesCommand& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const DeckWorkCommand& sample, const run::Limits& limits);
 std::optional<run::Refusal> refusal(const BridgeOrderCommand& sample, const run::Limits& limits);
 std::optional<run::Refusal> refusal(const EnvironmentCommand& sample, const run::Limits& limits);
 
@@ -37,6 +38,7 @@ run::OrderContent order(const OwnShipInput& sample);
 run::OrderContent order(const AssessmentCommand& sample);
 run::OrderContent order(const WatchCircle& sample);
 run::OrderContent order(const LightsAndShapesCommand& sample);
+run::OrderContent order(const DeckWorkCommand& sample);
 run::OrderContent order(const BridgeOrderCommand& sample);
 run::OrderContent order(const EnvironmentCommand& sample);
 

@@ -61,6 +61,7 @@ CommandReaders::CommandReaders(wire::Participant& participant, Mailbox& mailbox)
       bridge_order_(reader(participant, wire::topics::bridge_order_command, mailbox)),
       watch_circle_(reader(participant, wire::topics::watch_circle, mailbox)),
       lights_and_shapes_(reader(participant, wire::topics::lights_and_shapes_command, mailbox)),
+      deck_work_(reader(participant, wire::topics::deck_work_command, mailbox)),
       alert_(reader(participant, wire::topics::alert_command, mailbox)),
       assessment_(reader(participant, wire::topics::assessment_command, mailbox)) {}
 

@@ -23,6 +23,7 @@ private:
     wire::Reader<BridgeOrderCommand> bridge_order_;
     wire::Reader<WatchCircle> watch_circle_;
     wire::Reader<LightsAndShapesCommand> lights_and_shapes_;
+    wire::Reader<DeckWorkCommand> deck_work_;
     wire::Reader<AlertCommand> alert_;
     wire::Reader<AssessmentCommand> assessment_;
 };

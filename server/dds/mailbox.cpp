@@ -13,9 +13,9 @@ constexpr std::size_t kSendersRemembered = 256;
 
 const char* topic_name(std::size_t kind) {
     constexpr std::array names{
-        "WindlassCommand", "HelmCommand",       "ExerciseCommand",       "FaultCommand",       "Report",
-        "AlertCommand",    "RestoreCommand",    "EnvironmentCommand",    "BridgeOrderCommand", "WatchCircle",
-        "OwnShipInput",    "AssessmentCommand", "LightsAndShapesCommand"};
+        "WindlassCommand", "HelmCommand",       "ExerciseCommand",        "FaultCommand",       "Report",
+        "AlertCommand",    "RestoreCommand",    "EnvironmentCommand",     "BridgeOrderCommand", "WatchCircle",
+        "OwnShipInput",    "AssessmentCommand", "LightsAndShapesCommand", "DeckWorkCommand"};
     static_assert(names.size() == std::variant_size_v<Mailbox::Sample>);
     return names.at(kind);
 }

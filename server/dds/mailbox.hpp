@@ -41,9 +41,10 @@ private:
 
 class Mailbox {
 public:
-    using Sample = std::variant<WindlassCommand, HelmCommand, ExerciseCommand, FaultCommand, Report,
-                                AlertCommand, RestoreCommand, EnvironmentCommand, BridgeOrderCommand,
-                                WatchCircle, OwnShipInput, AssessmentCommand, LightsAndShapesCommand>;
+    using Sample =
+        std::variant<WindlassCommand, HelmCommand, ExerciseCommand, FaultCommand, Report, AlertCommand,
+                     RestoreCommand, EnvironmentCommand, BridgeOrderCommand, WatchCircle, OwnShipInput,
+                     AssessmentCommand, LightsAndShapesCommand, DeckWorkCommand>;
 
     explicit Mailbox(std::size_t capacity = 1024);
 

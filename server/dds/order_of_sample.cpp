@@ -98,6 +98,10 @@ run::OrderContent order(const LightsAndShapesCommand& sample) {
     return order_in<exercise::LightsAndShapes>(sample);
 }
 
+run::OrderContent order(const DeckWorkCommand& sample) {
+    return order_in<exercise::DeckWorkOrder>(sample);
+}
+
 run::OrderContent order(const OwnShipInput& sample) {
     return order_in<exercise::OwnShipSample>(sample);
 }

@@ -38,6 +38,9 @@ void each_place(Visit&& visit) {
         ORDER_TAKEN_LIGHTS_AND_SHAPES, type_identity<exercise::LightsAndShapes>(),
         [](auto& s) -> auto& { return s.lights_and_shapes(); });
     visit(
+        ORDER_TAKEN_DECK_WORK, type_identity<exercise::DeckWorkOrder>(),
+        [](auto& s) -> auto& { return s.deck_work(); });
+    visit(
         ORDER_TAKEN_OWN_SHIP, type_identity<exercise::OwnShipSample>(),
         [](auto& s) -> auto& { return s.own_ship(); });
     visit(

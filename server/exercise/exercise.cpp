@@ -84,6 +84,21 @@ struct Exercise::World {
     BridgeOrders::When now() const { return {tick, time()}; }
     Talk talk() const { return talk_of(faults.list(), surroundings.weather().now().visibility); }
 
+    /// The men at each windlass. What they have slipped from an anchor hangs there no more.
+    void men_work(double dt, const EventLog& log) {
+        for (Bower& bower : deck.bowers()) {
+            const physics::EquipmentFaults other_ails = faults.causes(other(bower.side));
+            const DeckWork done = bower.party.work(
+                {bower.side, bower.tackle, bower.levers, surroundings.environment().level, other_ails}, dt,
+                log);
+            if (done != DeckWork::none) bower.touched = true;
+            if (done == DeckWork::clear_anchor)
+                faults.order(
+                    {.code = FaultCode::anchor_fouled, .side = bower.side, .severity = 0, .clear = true},
+                    time(), log);
+        }
+    }
+
     template <class Visitor, StateOf<World> Self>
     static void list_state(Visitor& v, Self& self) {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
@@ -195,6 +210,7 @@ bool Exercise::step(double dt) {
     w.substeps = w.deck.substeps();
     for (const Bower& bower : w.deck.bowers())
         w.own_ship.pulled_by(bower.pull);
+    w.men_work(dt, log);
     w.anchor_watch.look(w.def.ship, w.own_ship.state(), dt, log);
     w.ground_watch.look(w.def.ship, w.surroundings.environment(), w.own_ship.state(), dt, log);
     StepCounts counts;
@@ -254,6 +270,9 @@ void Exercise::apply(const Order& command) {
                 w.anchor_watch.order(order, log);
             } else if constexpr (std::is_same_v<Order, LightsAndShapes>) {
                 show(order, w.lights_and_shapes, log);
+            } else if constexpr (std::is_same_v<Order, DeckWorkOrder>) {
+                for (Bower& bower : w.deck.bowers())
+                    if (bower.side == order.side) bower.party.set_to(order.work, order.side, log);
             } else if constexpr (std::is_same_v<Order, ChanceDrawn>) {
                 w.faults.draw(order);
             } else if constexpr (std::is_same_v<Order, OwnShipSample>) {
@@ -329,7 +348,8 @@ void Exercise::view(Snapshot& s) const {
         s.cable_moment.head<2>() += bower.moment.head<2>();
         view_anchor(bower.tackle, bower.event_detector.phase(), environment, s.tackle[k].anchor);
         view_chain(bower.tackle, ship.heading, environment, s.tackle[k].chain);
-        view_windlass(bower.tackle, bower.levers, w.faults.causes(bower.side), s.tackle[k].windlass);
+        view_windlass(bower.tackle, bower.levers, causes(bower, w.faults), s.tackle[k].windlass);
+        s.tackle[k].deck_work = {bower.party.set(), bower.party.left(), bower.party.waits()};
         const ChainState& chain = bower.tackle.chain();
         s.model_nodes += static_cast<unsigned>(chain.links + 1 - chain.asleep);
         // What is shown is the dearest level in use and the largest error.

@@ -19,6 +19,7 @@ constexpr double kLookedThrough = 1.5; ///< m of water through which steel is st
 constexpr double kLoadStep = 1000;             ///< N, last figure of a load cell's display; tuned
 constexpr double kCurrentStep = 5;             ///< A, as an ammeter is read; tuned
 constexpr double kPressureStep = 2e5;          ///< Pa, as a pressure gauge is read; tuned
+constexpr double kWorkStep = 10;               ///< s, as men say how long they need
 constexpr double kCounterSpeedStep = 1.0 / 60; ///< m/s, whole m/min; tuned
 
 /// m/s, above which the wind has the next number (Beaufort, at 10 m; WMO).
@@ -194,6 +195,11 @@ void perceive_forecastle(const exercise::Snapshot& from, const exercise::TackleV
     to.motor_pressure(in_steps(windlass.motor_pressure, kPressureStep));
     to.power(windlass.power);
     to.tripped(windlass.tripped);
+
+    // The men on deck
+    to.deck_work(static_cast<DeckWork>(tackle.deck_work.set));
+    to.deck_work_left(std::ceil(tackle.deck_work.left / kWorkStep) * kWorkStep);
+    to.deck_work_waits(static_cast<DeckHindrance>(tackle.deck_work.waits));
 
     // Eyes
     to.cable_speed_seen(in_steps(windlass.cable_speed, kSpeedSeenStep));

@@ -51,8 +51,8 @@ Topics what_is_seen() {
                                   &topics::environment_command, &topics::restore_command,
                                   &topics::fault_command,       &topics::bridge_order_command,
                                   &topics::watch_circle,        &topics::lights_and_shapes_command,
-                                  &topics::alert_command,       &topics::assessment_command,
-                                  &topics::replay_command};
+                                  &topics::deck_work_command,   &topics::alert_command,
+                                  &topics::assessment_command,  &topics::replay_command};
     Topics list = everything();
     std::erase_if(list, [](const auto* topic) { return among(kCommands, *topic); });
     return list;
@@ -61,15 +61,16 @@ Topics what_is_seen() {
 Topics seat_writes(Seat seat) {
     switch (seat) {
     case Seat::forecastle:
-        return {&topics::windlass_command, &topics::report, &topics::alert_command};
+        return {&topics::windlass_command, &topics::report, &topics::deck_work_command,
+                &topics::alert_command};
     case Seat::conning:
         return {&topics::helm_command, &topics::bridge_order_command, &topics::watch_circle,
                 &topics::lights_and_shapes_command, &topics::alert_command};
     case Seat::trainee:
     case Seat::coach:
-        return {
-            &topics::windlass_command,          &topics::helm_command, &topics::report, &topics::watch_circle,
-            &topics::lights_and_shapes_command, &topics::alert_command};
+        return {&topics::windlass_command,  &topics::helm_command, &topics::report,
+                &topics::deck_work_command, &topics::watch_circle, &topics::lights_and_shapes_command,
+                &topics::alert_command};
     case Seat::watcher:
     case Seat::observer:
         return {};
@@ -88,6 +89,7 @@ Topics seat_writes(Seat seat) {
             &topics::bridge_order_command,
             &topics::watch_circle,
             &topics::lights_and_shapes_command,
+            &topics::deck_work_command,
             &topics::alert_command,
             &topics::assessment_command,
             &topics::replay_command};

@@ -227,6 +227,7 @@ const std::vector<Field>& fields() {
         PART(tackle, anchor),
         PART(tackle, chain),
         PART(tackle, windlass),
+        PART(tackle, deck_work), // how long it takes in steps: view_test
         HIDDEN(tackle, hawse),
         HIDDEN(tackle, force),
 

@@ -124,6 +124,15 @@ TEST(Forecastle, GaugesReadInSteps) {
     EXPECT_EQ(view.cable_out_indicated(), 164.5);
 }
 
+TEST(Forecastle, MenSayWhatTheyDoAndHowLongInTensOfSeconds) {
+    const ForecastleView view = with([](TackleView& tackle) {
+        tackle.deck_work = {exercise::DeckWork::break_cable, 411.2, words::DeckHindrance::stopper_off};
+    });
+    EXPECT_EQ(view.deck_work(), DECK_WORK_BREAK_CABLE);
+    EXPECT_EQ(view.deck_work_left(), 420);
+    EXPECT_EQ(view.deck_work_waits(), DECK_HINDRANCE_STOPPER_OFF);
+}
+
 TEST(Forecastle, EyesSeeInSteps) {
     ForecastleView view = with([](TackleView& t) {
         t.windlass.cable_speed = 5.86;

@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xed735ddadfecd72b},
-    {1800, 0x763009065ddcdb4},
-    {3300, 0xe6511b8f0e97fbb6},
-    {6000, 0x517a9d9b435d32b5},
-    {8700, 0x5995b9860a46645},
-    {12000, 0xb2aaed86fcdf55cb},
-    {15000, 0x553223e719c8ca38},
+    {300, 0x1ab514807af3756f},
+    {1800, 0x772b40675483d044},
+    {3300, 0xf21f3ca2755df3d8},
+    {6000, 0xe81abb1de9dd2442},
+    {8700, 0x966a2213041457aa},
+    {12000, 0x3c4fa18096bd5c78},
+    {15000, 0x3eed68bfeef195df},
 }};
 
 } // namespace

@@ -18,6 +18,9 @@ enum class Side { port = 0, starboard = 1 };
 constexpr Side last_of(Side) {
     return Side::starboard;
 }
+constexpr Side other(Side side) {
+    return side == Side::port ? Side::starboard : Side::port;
+}
 
 /// What makes an armed fault active; as in idl FaultTrigger.
 enum class FaultTrigger {

@@ -98,6 +98,15 @@ struct LightsAndShapes {
 };
 WINDLASS_FIELDS(LightsAndShapes, anchor_ball, anchor_lights)
 
+using words::DeckWork; ///< what men do by hand at a windlass
+
+/// What the mate sets them to, from now on.
+struct DeckWorkOrder {
+    Side side = Side::port;
+    DeckWork work = DeckWork::none;
+};
+WINDLASS_FIELDS(DeckWorkOrder, side, work)
+
 enum class AssessorVerdict {
     met,
     not_met,
@@ -132,6 +141,6 @@ using OwnShipSample = physics::ForeignSample;
 /// One order, applied at the tick in which it is drained from the mailbox.
 using Order =
     std::variant<WindlassOrder, HelmOrder, FaultOrder, EnvironmentOrder, ReportMade, BridgeOrderGiven,
-                 WatchCircleOrder, LightsAndShapes, ChanceDrawn, OwnShipSample, AssessorsWord>;
+                 WatchCircleOrder, LightsAndShapes, DeckWorkOrder, ChanceDrawn, OwnShipSample, AssessorsWord>;
 
 } // namespace windlass::exercise

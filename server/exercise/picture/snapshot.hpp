@@ -139,16 +139,24 @@ WINDLASS_FIELDS(WindlassView, hawse_tension, gypsy_load, gypsy_load_indicated, b
                 emergency_stop, stopper_closed, clutch, clutch_offset, clutch_sheared, gypsy_jumping,
                 stopper_sprung, motor_burst)
 
+struct DeckWorkView {
+    DeckWork set = DeckWork::none; ///< what the men are set to
+    double left = 0;               ///< s
+    words::DeckHindrance waits = words::DeckHindrance::none;
+};
+WINDLASS_FIELDS(DeckWorkView, set, left, waits)
+
 struct TackleView {
     Side side = Side::port;
     AnchorView anchor;
     ChainView chain;
     WindlassView windlass;
+    DeckWorkView deck_work;
     physics::Vec3 hawse = physics::Vec3::Zero(); ///< m, world, lip of the hawse pipe
     physics::Vec3 force =
         physics::Vec3::Zero(); ///< N, world, of this cable on the ship, hull contact included
 };
-WINDLASS_FIELDS(TackleView, side, anchor, chain, windlass, hawse, force)
+WINDLASS_FIELDS(TackleView, side, anchor, chain, windlass, deck_work, hawse, force)
 
 struct FaultView {
     FaultOrder order;

@@ -69,6 +69,12 @@ ShipState ship_start(const ShipStartDef& def, double level) {
     return ship;
 }
 
+EquipmentFaults causes(const Bower& bower, const FaultBook& faults) {
+    EquipmentFaults causes = faults.causes(bower.side);
+    bower.party.lay(bower.tackle.setup().windlass, faults.causes(other(bower.side)), causes);
+    return causes;
+}
+
 Bower::Bower(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull,
              const ShipState& ship)
     : side(def.side),
@@ -76,6 +82,7 @@ Bower::Bower(const ExerciseDef& exercise, const GroundTackleDef& def, const Obst
              hawse_position(exercise.ship, ship, outboard(def.side))),
       event_detector(def.side, tackle),
       levers{def.brake, 0, def.clutch_in, def.stopper_closed, false},
+      party{},
       from(ship) {
     HullSurface surface{&hull, hull_motion(from, from, 0, 1), {}, &*tackle.setup().pipe};
     surface.motion.velocity = ship_velocity(from) + wave_velocity(from) + from.rise * Vec3::UnitZ();
@@ -97,8 +104,8 @@ Deck::Deck(const ExerciseDef& def, const ShipState& ship)
 
 template <class Visitor, physics::StateOf<Bower> Self>
 void visit_state(Visitor& v, Self& self) {
-    WINDLASS_STATE(v, self.tackle, self.event_detector, self.levers, self.from, self.pull, self.moment,
-                   self.waited, self.touched);
+    WINDLASS_STATE(v, self.tackle, self.event_detector, self.levers, self.party, self.from, self.pull,
+                   self.moment, self.waited, self.touched);
     v.within({"waited"}, self.waited, 0, Bower::kMaxWaited);
     WINDLASS_WITHIN(v, -physics::kStrongest, physics::kStrongest, self.moment);
 }
@@ -202,8 +209,8 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
             const Bower& bower = gang[i];
             const double side = outboard(bower.side), share = static_cast<double>(done + taken) / steps;
             const Vec3 from = hawse_position(ship_, bower.from, side);
-            order[i] = {bower.levers,
-                        tick.faults.causes(bower.side),
+            order[i] = {bower.party.acting(bower.levers),
+                        causes(bower, tick.faults),
                         from + (hawse_position(ship_, tick.ship, side) - from) * share,
                         {&hull_,
                          hull_motion(bower.from, tick.ship, static_cast<double>(done) / steps, seconds),

@@ -4,6 +4,7 @@
 
 #include "server/exercise/definition/exercise_def.hpp"
 #include "server/exercise/faults/faults.hpp"
+#include "server/exercise/tick/anchor_party.hpp"
 #include "server/exercise/watch/event_detector.hpp"
 #include "server/physics/ship/hull_surface.hpp"
 #include "server/physics/ship/ship.hpp"
@@ -21,6 +22,7 @@ struct Bower {
     physics::GroundTackle tackle;
     EventDetector event_detector;
     physics::WindlassLevers levers;
+    AnchorParty party;
     physics::ShipState from;                      ///< where the ship was at the tackle's last step
     physics::CablePull pull;                      ///< of that step
     physics::Vec3 moment = physics::Vec3::Zero(); ///< N m, world, about midships on the waterline, of that
@@ -35,6 +37,9 @@ struct Bower {
 };
 template <class Visitor, physics::StateOf<Bower> Self>
 void visit_state(Visitor& v, Self& self);
+
+/// What is wrong with its windlass now: faults, and what men have done about them.
+physics::EquipmentFaults causes(const Bower& bower, const FaultBook& faults);
 
 /// What the world is to the deck in one tick.
 struct DeckTick {

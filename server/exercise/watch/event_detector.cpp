@@ -191,7 +191,10 @@ void EventDetector::call_cable(const physics::GroundTackle& tackle, const EventL
             [&] { log("cable.wedged", side_, tackle.turns()); });
     on_rise(lost_, tackle.chain().parted >= 0, [&] {
         if (windlass.chain_gone) {
-            log("cable.lost", side_, windlass.cable_out);
+            if (windlass.bitter_end_parted)
+                log("cable.lost", side_, windlass.cable_out);
+            else
+                log("cable.slipped", side_, windlass.cable_out);
         } else {
             log("cable.parted", side_, tackle.strain().parted_by,
                 text("cable has parted %.0f m from the anchor: anchor lost",

@@ -46,6 +46,7 @@ struct EquipmentFaults {
     double counter_drift = 0;  ///< share of its pulses that the chain counter misses
     double load_cell_dead = 0; ///< share of the load that the cell does not show
     double load_cell_bias = 0; ///< share of the load by which it shows too much
+    double cable_slipped = 0;  ///< above 0: broken on deck, and nothing holds it; men do that, and no fault
     // Under the anchor
     double anchor_fouled = 0; ///< something heavy (1: an old 78 mm cable) lies where the flukes dig in
     double soil_poor = 0;     ///< share of what flukes hold beyond sliding that this ground does not give

@@ -34,7 +34,7 @@ bool GroundTackle::lie_quietly(const EnvironmentDef& environment, const Equipmen
     // The windlass meets the pull as it is, as stiff as the chain itself.
     const TopLink link{.dt = dt, .pull = quiet_->tension(), .yielding = setup_.chain.stiffness};
     const DeckResult deck = drive.result(link);
-    if (!holds || deck.speed != 0) {
+    if (!holds || deck.speed != 0 || causes.cable_slipped > 0) {
         quiet_->give_back(chain_);
         return false;
     }

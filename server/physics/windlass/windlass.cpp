@@ -130,7 +130,7 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Equip
     deck.min_speed = (limits_.home - state_.cable_out) / dt;
     deck.max_speed = (limits_.bitter_end + def_.locker_lift - state_.cable_out) / dt;
     if (state_.chain_gone) deck.min_speed = deck.max_speed = 0;
-    if (!state_.bitter_end_parted) {
+    if (!state_.bitter_end_parted && !state_.chain_gone) {
         // Above its strength it parts, but not before the step is over.
         deck.bitter_end = tie({.stiffness = chain_stiffness_,
                                .length = def_.locker_lift,
@@ -192,7 +192,7 @@ void Windlass::settle(double dt, const DeckResult& deck, const EquipmentFaults& 
     strain_prime_mover(def_, dt, deck.motor, engaged && !state_.gypsy.jumping, causes, state_.motor);
     if (deck.bitter_end > def_.bitter_end_strength * (1 - causes.bitter_end_weak))
         state_.bitter_end_parted = true;
-    if (state_.cable_out >= limits_.bitter_end + def_.locker_lift - 1e-6) {
+    if (causes.cable_slipped > 0 || state_.cable_out >= limits_.bitter_end + def_.locker_lift - 1e-6) {
         state_.chain_gone = true;
         state_.cable_speed = 0;
     }

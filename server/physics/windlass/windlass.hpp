@@ -44,7 +44,7 @@ struct WindlassState {
     ChainCounterState counter;
     SpurlingPipeState pipe;
     bool bitter_end_parted = false; ///< its connection in the locker did not hold
-    bool chain_gone = false;        ///< the end has run over the gypsy
+    bool chain_gone = false;        ///< its end has run over the gypsy, or was slipped
 };
 template <class Visitor, StateOf<WindlassState> State>
 void visit_state(Visitor& v, State& state);

@@ -18,6 +18,7 @@ import { cableSpeed } from "./heard";
 import { Help } from "./help";
 import { listenToKeys } from "./keyboard";
 import { Log } from "./log";
+import { Men } from "./men";
 import { Orders } from "./orders";
 import { Popover } from "./popover";
 import { Reports } from "./reports";
@@ -46,6 +47,8 @@ export function openForecastle(): void {
   scene.over.append(captions.element);
   const popover = new Popover(scene.element);
   const tell = (text: string): void => stand.tell(text);
+  const men = new Men(link, () => stand.side, popover, tell);
+  stand.head.append(men.button);
   const orders = new Orders(link, popover, tell);
   const reports = new Reports(link, new Work(link), () => stand.side, popover, tell);
   const sounds = new Sounds(page, stand, orders, () => scene.ears());
@@ -81,6 +84,7 @@ export function openForecastle(): void {
   stand.onSide((side) => {
     scene.setSide(side);
     reports.showSide();
+    men.show();
   });
 
   const memory = new ControllerMemory();

@@ -22,6 +22,7 @@ const kTurns = 0.03; // m/s, from which the gypsy is seen to turn
 
 export class Stand {
   readonly element: HTMLElement;
+  readonly head: HTMLElement; // whose levers, and what else is of the windlass in hand
   readonly hands: readonly LeverHand[];
   readonly gauges = new Gauges();
   readonly wheel: HandWheel;
@@ -55,16 +56,17 @@ export class Stand {
     this.clutch = new Clutch(() => this.hand.put({ clutch_in: !this.hand.levers()?.clutch_in }));
     this.stopper = new Stopper(() => this.hand.put({ stopper_closed: !this.hand.levers()?.stopper_closed }));
     this.stop = new EmergencyStop((on) => this.hand.put({ emergency_stop: on }));
+    this.head = h(
+      "div",
+      { class: "row head" },
+      this.sides,
+      h("span", { class: "levers-of" }, `${t("levers:")} `, this.owner),
+      this.letGo,
+    );
     this.element = h(
       "section",
       { class: "stand panel", "aria-label": t("stand") },
-      h(
-        "div",
-        { class: "row head" },
-        this.sides,
-        h("span", { class: "levers-of" }, `${t("levers:")} `, this.owner),
-        this.letGo,
-      ),
+      this.head,
       this.gauges.element,
       this.notice,
       h(
