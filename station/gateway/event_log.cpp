@@ -1,11 +1,10 @@
 #include "station/gateway/event_log.hpp"
 
 #include "idl/payload.hpp"
+#include "station/gateway/exercise_clock.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace windlass::gateway {
 
@@ -53,28 +52,23 @@ FramePtr log_of(const SharedFrame& event) {
     } catch (const std::exception&) {
         return nullptr;
     }
-    constexpr std::int64_t kSecond = 1'000'000'000;
-    const json log{
-        {"timestamp", {{"sec", event.written_unix_ns / kSecond}, {"nsec", event.written_unix_ns % kSecond}}},
-        {"level", level(said.severity())},
-        {"message", fmt::format("{:.1f} s: {}", said.time(), said.text().c_str())},
-        {"name", said.code().c_str()},
-        {"file", ""},
-        {"line", 0}};
+    constexpr std::uint64_t kSecond = 1'000'000'000;
+    const std::uint64_t at = nanoseconds(said.time());
+    const json log{{"timestamp", {{"sec", at / kSecond}, {"nsec", at % kSecond}}},
+                   {"level", level(said.severity())},
+                   {"message", fmt::format("{:.1f} s: {}", said.time(), said.text().c_str())},
+                   {"name", said.code().c_str()},
+                   {"file", ""},
+                   {"line", 0}};
     const std::string text = log.dump(-1, ' ', false, json::error_handler_t::replace);
     auto frame = std::make_shared<SharedFrame>();
     frame->channel = EventLog::kChannel;
-    frame->written_unix_ns = event.written_unix_ns;
+    frame->time = said.time();
     frame->payload.assign(text.begin(), text.end());
     return frame;
 }
 
-EventLog::EventLog(Feed& feed) : feed_{feed} {
-    const auto channel = std::ranges::find_if(feed.channels(), [](const Channel& each) {
-        return std::string_view(each.topic->name) == wire::topics::event.name;
-    });
-    if (channel != feed.channels().end()) events_ = channel->number;
-}
+EventLog::EventLog(Feed& feed) : feed_{feed}, events_{number_of(feed.channels(), wire::topics::event)} {}
 
 EventLog::~EventLog() {
     feed_.leave(events_, *this);

@@ -5,7 +5,7 @@
 
 namespace windlass::gateway {
 
-/// An Event's frame as a foxglove.Log in JSON: time of writing, level by severity (caution and warning:
+/// An Event's frame as a foxglove.Log in JSON: exercise time, level by severity (caution and warning:
 /// WARNING, alarm: ERROR), code as its name, the text with the exercise's time. Nothing where the payload is
 /// no Event.
 FramePtr log_of(const SharedFrame& event);
@@ -31,8 +31,8 @@ private:
     void hear(const FramePtr& frame) override;
 
     Feed& feed_;
-    std::uint32_t events_ = 0; ///< number of the feed's channel; 0: it hears no events
-    Ear* ear_ = nullptr;       ///< changed only while the feed calls nobody here
+    std::uint32_t events_; ///< number of the feed's channel; 0: it hears no events
+    Ear* ear_ = nullptr;   ///< changed only while the feed calls nobody here
 };
 
 } // namespace windlass::gateway

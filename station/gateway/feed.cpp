@@ -48,8 +48,7 @@ struct Feed::Line {
         frame->instance = instance_of(topic, sample.payload);
         frame->written_unix_ns = sample.written_unix_ns;
         frame->heard = Clock::now();
-        if (has_past || is_status)
-            frame->time = time_of(topic, sample.payload).value_or(feed.exercise_time_.load());
+        frame->time = time_of(topic, sample.payload).value_or(feed.exercise_time_.load());
         frame->payload.assign(sample.payload.begin(), sample.payload.end());
         if (is_status) feed.follow(frame->time);
         const std::scoped_lock lock{mutex};

@@ -2,7 +2,9 @@
 
 #include "idl/payload.hpp"
 #include "station/gateway/event_log.hpp"
+#include "station/gateway/exercise_clock.hpp"
 #include "station/gateway/page_session.hpp"
+#include "station/gateway/scene_channel.hpp"
 
 #include <fmt/format.h>
 
@@ -22,15 +24,38 @@ constexpr auto kNews = 500ms; // how often hello is looked at
 class Onlooker final : public FoxgloveSession {
 public:
     Onlooker(std::shared_ptr<ExerciseDesk> desk, Transport& transport)
-        : FoxgloveSession{{&desk->feed(), &log_}, transport}, desk_{std::move(desk)}, log_{desk_->feed()} {}
-    ~Onlooker() override { FoxgloveSession::close(); }
+        : FoxgloveSession{{&desk->feed(), &log_, &scene_}, transport},
+          desk_{std::move(desk)},
+          log_{desk_->feed()},
+          scene_{desk_->feed(), desk_->feed().channels()} {}
+    ~Onlooker() override { Onlooker::close(); }
+
+    void open() override {
+        FoxgloveSession::open();
+        // The time first: at a step back a client forgets what it has drawn.
+        const auto tell = [this](double time, bool again) {
+            send_time(nanoseconds(time));
+            scene_.tell(time, again, Clock::now());
+        };
+        clock_.emplace(desk_->feed(), desk_->feed().channels(), tell);
+    }
+
+    void close() override {
+        clock_.reset();
+        FoxgloveSession::close();
+    }
 
 protected:
     std::string server_name() const override { return "Windlass " + desk_->exercise(); }
+    std::vector<std::string> capabilities() const override { return {"time"}; }
+    /// The protocol asks for one source of time in all that a server sends.
+    std::uint64_t stamp(const SharedFrame& frame) const override { return nanoseconds(frame.time); }
 
 private:
     std::shared_ptr<ExerciseDesk> desk_;
     EventLog log_;
+    SceneChannel scene_;
+    std::optional<ClockWatch> clock_; ///< while it is open
 };
 
 } // namespace

@@ -10,35 +10,43 @@ std::string slot_of(std::uint32_t subscription, const SharedFrame& frame) {
 
 } // namespace
 
+void Outbox::put_newest(const std::string& slot, Item item) {
+    if (const auto waiting = slots_.find(slot); waiting != slots_.end()) {
+        waiting->second->item = std::move(item);
+        return;
+    }
+    items_.push_back({std::move(item), false, slot});
+    slots_.emplace(slot, std::prev(items_.end()));
+}
+
 bool Outbox::put(std::uint32_t subscription, const FramePtr& frame) {
-    const std::string slot = slot_of(subscription, *frame);
-    if (!slot.empty()) {
-        if (const auto waiting = slots_.find(slot); waiting != slots_.end()) {
-            waiting->second->item.frame = frame;
-            return true;
-        }
-        items_.push_back({{"", frame, subscription}, false, slot});
-        slots_.emplace(slot, std::prev(items_.end()));
+    Item item{.frame = frame, .subscription = subscription};
+    if (const std::string slot = slot_of(subscription, *frame); !slot.empty()) {
+        put_newest(slot, std::move(item));
         return true;
     }
     if (counted_ == kMost) return false;
-    items_.push_back({{"", frame, subscription}, true, ""});
+    items_.push_back({std::move(item), true, ""});
     ++counted_;
     return true;
 }
 
 bool Outbox::put(std::string text) {
     if (counted_ == kMost) return false;
-    items_.push_back({{std::move(text), nullptr, 0}, true, ""});
+    items_.push_back({{.text = std::move(text)}, true, ""});
     ++counted_;
     return true;
+}
+
+void Outbox::put_time(std::uint64_t ns) {
+    put_newest("time", {.ns = ns, .is_time = true}); // no subscription's: those begin with a digit
 }
 
 void Outbox::put_kept(std::uint32_t subscription, const FramePtr& frame, bool with_past) {
     if (frame->newest_only && !with_past)
         put(subscription, frame);
     else
-        items_.push_back({{"", frame, subscription}, false, ""});
+        items_.push_back({{.frame = frame, .subscription = subscription}, false, ""});
 }
 
 std::optional<Outbox::Item> Outbox::pop() {

@@ -16,17 +16,22 @@ public:
     /// Messages that may wait beside states and what was kept before the page came.
     static constexpr std::size_t kMost = 1024;
 
-    /// A text, or a sample of one of the page's subscriptions.
+    /// A text, a time, or a sample of one of the page's subscriptions.
     struct Item {
-        std::string text;
-        FramePtr frame;
+        std::string text{};
+        FramePtr frame{};
         std::uint32_t subscription = 0;
+        std::uint64_t ns = 0; ///< the time, or that of the sample
+        bool is_time = false;
     };
 
     /// Takes the place of an older state of the same subscription and instance that waits. False: too many
     /// wait, and this one is lost.
     bool put(std::uint32_t subscription, const FramePtr& frame);
     bool put(std::string text);
+
+    /// The time of the client's clock, ns. Takes the place of an older one that waits.
+    void put_time(std::uint64_t ns);
 
     /// What was kept before the page came: as many as there are. with_past: of states, too, all of them and
     /// not the newest alone.
@@ -43,6 +48,8 @@ private:
         bool counted;
         std::string slot; ///< of a state; empty: none
     };
+    void put_newest(const std::string& slot, Item item);
+
     std::list<Waiting> items_;
     std::unordered_map<std::string, std::list<Waiting>::iterator> slots_;
     std::size_t counted_ = 0;

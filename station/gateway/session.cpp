@@ -28,7 +28,7 @@ FoxgloveSession::~FoxgloveSession() {
 void FoxgloveSession::open() {
     send({{"op", "serverInfo"},
           {"name", server_name()},
-          {"capabilities", json::array()},
+          {"capabilities", json(capabilities())},
           {"metadata", {{"wire_version", std::to_string(WIRE_VERSION)}}}});
     advertise();
 }
@@ -175,6 +175,13 @@ void FoxgloveSession::send(const json& message) {
     put([&] { return outbox_.put(message.dump(-1, ' ', false, json::error_handler_t::replace)); });
 }
 
+void FoxgloveSession::send_time(std::uint64_t ns) {
+    put([&] {
+        outbox_.put_time(ns);
+        return true;
+    });
+}
+
 void FoxgloveSession::put(const std::function<bool()>& into_outbox) {
     bool too_slow = false;
     {
@@ -190,7 +197,9 @@ void FoxgloveSession::put(const std::function<bool()>& into_outbox) {
 
 std::optional<Outbox::Item> FoxgloveSession::next() {
     const std::scoped_lock lock{mutex_};
-    return outbox_.pop();
+    auto item = outbox_.pop();
+    if (item && item->frame) item->ns = stamp(*item->frame);
+    return item;
 }
 
 bool FoxgloveSession::within_rate(Clock::time_point now) {

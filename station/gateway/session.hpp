@@ -64,11 +64,19 @@ protected:
     virtual std::string server_name() const { return "Windlass"; }
     /// Every channel with its schema: a page of ours has it compiled in, others need it.
     virtual bool with_schema() const { return true; }
+    /// What it can do beside the protocol's least, as Foxglove's `capabilities`.
+    virtual std::vector<std::string> capabilities() const { return {}; }
+    /// ns of a sample that goes out.
+    virtual std::uint64_t stamp(const SharedFrame& frame) const {
+        return static_cast<std::uint64_t>(frame.written_unix_ns);
+    }
     /// The past of streams, too, to one that comes late: a page of ours goes by the times in the samples,
     /// others by the time at which they come.
     virtual bool with_past() const { return false; }
 
     void send(const nlohmann::json& message);
+    /// The time of the client's clock, ns, where `time` is among the capabilities. From any thread.
+    void send_time(std::uint64_t ns);
     Transport& transport() { return transport_; }
 
 private:

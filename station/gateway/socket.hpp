@@ -97,11 +97,11 @@ private:
         writing_ = true;
         sent_ = std::move(*next);
         std::array<net::const_buffer, 2> parts{net::buffer(sent_.text), {}};
-        if (sent_.frame) {
-            fill_header();
-            parts = {net::buffer(header_), net::buffer(sent_.frame->payload)};
-        }
-        ws_.binary(sent_.frame != nullptr);
+        if (sent_.frame)
+            parts = {sample_header(), net::buffer(sent_.frame->payload)};
+        else if (sent_.is_time)
+            parts = {time_message(), {}};
+        ws_.binary(sent_.frame || sent_.is_time);
         ws_.async_write(parts, [self = this->shared_from_this()](error_code error, std::size_t) {
             self->writing_ = false;
             if (error) return self->gone(error);
@@ -110,11 +110,18 @@ private:
     }
 
     /// Message data of the Foxglove protocol: 0x01, subscription, ns, little-endian; the sample follows.
-    void fill_header() {
-        static_assert(std::endian::native == std::endian::little);
+    net::const_buffer sample_header() {
         header_[0] = 1;
         std::memcpy(&header_[1], &sent_.subscription, 4);
-        std::memcpy(&header_[5], &sent_.frame->written_unix_ns, 8);
+        std::memcpy(&header_[5], &sent_.ns, 8);
+        return net::buffer(header_, 13);
+    }
+
+    /// Time of the Foxglove protocol: 0x02, ns, little-endian.
+    net::const_buffer time_message() {
+        header_[0] = 2;
+        std::memcpy(&header_[1], &sent_.ns, 8);
+        return net::buffer(header_, 9);
     }
 
     void end(int code, const std::string& reason) {
@@ -135,6 +142,8 @@ private:
                 fmt::format("{}: session ended: a message above {} bytes", address_, house_.limits.message));
         if (session_) session_->close();
     }
+
+    static_assert(std::endian::native == std::endian::little);
 
     websocket::stream<Stream> ws_;
     House& house_;

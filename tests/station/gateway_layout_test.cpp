@@ -39,6 +39,9 @@ TEST(FoxgloveLayout, NamesTopicsAndFieldsOfTheWire) {
     int paths = 0;
     for (const json& panel : layout.at("configById")) {
         EXPECT_EQ(panel.value("topicToRender", "/log"), "/log"); // EventLog's: the only one of that kind
+        const json topics_drawn = panel.value("topics", json::object());
+        for (const auto& [topic, unused] : topics_drawn.items())
+            EXPECT_EQ(topic, "/scene"); // SceneChannel's: the only one that a 3D panel takes
         if (panel.contains("topicPath")) {
             expect_known(panel["topicPath"]);
             ++paths;

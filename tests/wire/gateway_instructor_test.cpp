@@ -5,6 +5,8 @@
 #include "tests/wire/gateway_rig.hpp"
 #include "tests/wire/run_program.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace windlass::test {
@@ -104,13 +106,15 @@ TEST_F(InstructorStation, FoxglovesOwnClientConnectsAndDecodesEveryChannelThatSp
         "/ExerciseStatus /ExerciseTruth /EnvironmentState /ShipState /AnchorState /ChainState "
         "/WindlassLoad /CableForce /ForecastleView /ForecastleCamera /BridgeView /Daylight /LightsAndShapes "
         "/SeaState /SceneDescription /Landmarks "
-        "/SeabedDescription /Event /SeatEvent /BridgeOrder /OrderTaken /log";
+        "/SeabedDescription /Event /SeatEvent /BridgeOrder /OrderTaken /log /scene";
     for (const char* subprotocol : {"foxglove.websocket.v1", "foxglove.sdk.v1"}) {
         const json met = look_on(desk->address, subprotocol, topics);
         EXPECT_EQ(met.value("protocol", ""), subprotocol);
         EXPECT_EQ(met["server"]["name"], "Windlass gateway");
-        // All of the table but Checkpoint, and the log.
-        EXPECT_EQ(met.value("channels", 0U), wire::topics::all.size() - 1 + 1);
+        EXPECT_EQ(met["server"]["capabilities"], json({"time"}));
+        EXPECT_GT(met.value("times", 0), 1);
+        // All of the table but Checkpoint, and log and scene.
+        EXPECT_EQ(met.value("channels", 0U), wire::topics::all.size() - 1 + 2);
         EXPECT_EQ(met["topics"]["/log"], met["topics"]["/Event"]);
         std::istringstream names(topics);
         for (std::string name; names >> name;)
@@ -121,6 +125,67 @@ TEST_F(InstructorStation, FoxglovesOwnClientConnectsAndDecodesEveryChannelThatSp
     EXPECT_NE(status().state(), RUN_FINISHED) << "a client that looks on gives no orders";
     const json refused = look_on(desk->address, "windlass.v1", "/Event");
     EXPECT_TRUE(refused["topics"].empty());
+}
+
+std::vector<std::string> ids(const json& scene) {
+    std::vector<std::string> all;
+    for (const json& entity : scene.at("entities"))
+        all.push_back(entity.at("id"));
+    return all;
+}
+
+TEST_F(InstructorStation, FoxglovesClockAndSceneFollowTheExerciseAndGoBackWithARestore) {
+    const auto desk = instructor({"--foxglove"});
+    PageClient teacher(desk->address);
+    PageClient client(desk->address, {.origin = "",
+                                      .subprotocol = "foxglove.websocket.v1",
+                                      .target = "/foxglove?token=" + desk->address.token});
+    EXPECT_THAT(client.wait_for("serverInfo")["capabilities"], testing::ElementsAre("time"));
+    EXPECT_EQ(teacher.wait_for("serverInfo")["capabilities"], json::array()) << "a page of ours";
+    const auto scenes = [&] {
+        std::vector<json> all;
+        for (const auto& payload : client.samples("scene"))
+            all.push_back(json::parse(payload));
+        return all;
+    };
+    give(teacher, "ExerciseCommand", {{"action", "EXERCISE_START"}});
+    ASSERT_TRUE(eventually([&] { return status().time() > 2; }));
+    give(teacher, "ExerciseCommand", {{"action", "EXERCISE_SNAPSHOT"}});
+    const double snapshot_by = status().time() + 1;
+    ASSERT_TRUE(eventually([&] { return status().time() > snapshot_by + 2 && scenes().size() > 20; }));
+    const auto forward = client.times();
+    EXPECT_TRUE(std::ranges::is_sorted(forward));
+    EXPECT_GT(forward.size(), 20U);
+    EXPECT_NEAR(static_cast<double>(forward.back()) * 1e-9, status().time(), 1);
+    for (const json& scene : scenes())
+        EXPECT_THAT(scene["deletions"], IsEmpty());
+    const auto drawn = testing::ElementsAre("water", "seabed", "ship", "port_cable", "port_anchor");
+    EXPECT_THAT(ids(scenes().back()), drawn);
+
+    give(teacher, "ExerciseCommand", {{"action", "EXERCISE_RESTORE"}, {"restore_time", snapshot_by}});
+    ASSERT_TRUE(eventually([&] { return status().state() == RUN_PAUSED && status().time() < snapshot_by; }));
+    json anew;
+    std::uint64_t stamp = 0;
+    ASSERT_TRUE(eventually([&] {
+        const auto all = scenes();
+        const auto found =
+            std::ranges::find_if(all, [](const json& each) { return !each["deletions"].empty(); });
+        if (found == all.end()) return false;
+        anew = *found;
+        stamp = client.stamps("scene").at(static_cast<std::size_t>(found - all.begin()));
+        return true;
+    }));
+    const auto restored = static_cast<std::uint64_t>(std::llround(status().time() * 1e9));
+    EXPECT_EQ(stamp, restored);
+    EXPECT_THAT(ids(anew), drawn);
+    EXPECT_EQ(anew["entities"][0]["timestamp"]["sec"], restored / 1'000'000'000);
+    EXPECT_GE(anew["deletions"][0]["timestamp"]["sec"], forward.back() / 1'000'000'000);
+    const auto times = client.times();
+    const auto back = std::ranges::adjacent_find(times, std::greater<>());
+    ASSERT_NE(back, times.end());
+    EXPECT_EQ(*std::next(back), restored);
+    EXPECT_TRUE(std::is_sorted(std::next(back), times.end())) << "it went back once";
+    EXPECT_EQ(times.back(), restored) << "and stands with the pause";
 }
 
 } // namespace

@@ -71,6 +71,15 @@ struct PageClient::Impl {
         const auto found = samples_.find(topic);
         return found == samples_.end() ? std::vector<Payload>{} : found->second;
     }
+    std::vector<std::uint64_t> stamps(const std::string& topic) const {
+        const std::lock_guard lock(mutex_);
+        const auto found = stamps_.find(topic);
+        return found == stamps_.end() ? std::vector<std::uint64_t>{} : found->second;
+    }
+    std::vector<std::uint64_t> times() const {
+        const std::lock_guard lock(mutex_);
+        return times_;
+    }
     std::map<std::uint32_t, std::string> channels() const {
         const std::lock_guard lock(mutex_);
         return channels_;
@@ -121,9 +130,16 @@ struct PageClient::Impl {
     }
     void take_sample(const std::string& bytes) {
         std::uint32_t number = 0;
+        std::uint64_t ns = 0;
+        if (bytes.size() == 9 && bytes[0] == 2) {
+            std::memcpy(&ns, &bytes[1], 8);
+            times_.push_back(ns);
+        }
         if (bytes.size() < 17 || bytes[0] != 1) return;
         std::memcpy(&number, &bytes[1], 4);
+        std::memcpy(&ns, &bytes[5], 8);
         samples_[channels_[number]].emplace_back(bytes.begin() + 13, bytes.end());
+        stamps_[channels_[number]].push_back(ns);
     }
     void write() {
         ws_.text(waiting_.front().text);
@@ -145,6 +161,8 @@ struct PageClient::Impl {
     std::vector<Json> texts_;
     std::map<std::uint32_t, std::string> channels_;
     std::map<std::string, std::vector<Payload>> samples_;
+    std::map<std::string, std::vector<std::uint64_t>> stamps_;
+    std::vector<std::uint64_t> times_;
     std::optional<int> closed_;
     std::thread thread_;
 };
@@ -162,6 +180,12 @@ std::vector<PageClient::Json> PageClient::told(const std::string& op) const {
 }
 std::vector<PageClient::Payload> PageClient::samples(const std::string& topic) const {
     return impl_->samples(topic);
+}
+std::vector<std::uint64_t> PageClient::stamps(const std::string& topic) const {
+    return impl_->stamps(topic);
+}
+std::vector<std::uint64_t> PageClient::times() const {
+    return impl_->times();
 }
 std::map<std::uint32_t, std::string> PageClient::channels() const {
     return impl_->channels();

@@ -60,6 +60,10 @@ public:
     Json wait_for(const std::string& op, const Json& fields = Json::object()) const;
 
     std::vector<Payload> samples(const std::string& topic) const;
+    /// ns of the samples, in the same order.
+    std::vector<std::uint64_t> stamps(const std::string& topic) const;
+    /// ns that its clock was told.
+    std::vector<std::uint64_t> times() const;
     template <class T>
     std::vector<T> all(const std::string& topic) const {
         std::vector<T> found;

@@ -23,12 +23,14 @@ const met: {
   protocol: string;
   server?: ServerInfo;
   channels: number;
+  times: number;
   topics: Record<string, number>;
   errors: string[];
   last: Record<string, unknown>;
 } = {
   protocol: "",
   channels: 0,
+  times: 0,
   topics: {},
   errors: [],
   last: {},
@@ -65,23 +67,23 @@ function cdrReader(schema: string, type: string): Reader["read"] {
 client.on("error", (error) => failed(error.message));
 client.on("close", (event) => failed(`closed: ${event.code}`));
 client.on("status", (status) => met.errors.push(status.message));
+client.on("time", () => (met.times += 1));
 client.on("serverInfo", (info) => (met.server = info));
 client.on("advertise", (channels) => {
   for (const { id, topic, encoding, schema, schemaEncoding, schemaName } of channels) {
     met.channels += 1;
-    const isLog = encoding === "json" && schemaEncoding === "jsonschema";
-    if (!isLog && (encoding !== "cdr" || schemaEncoding !== "omgidl"))
+    const isJson = encoding === "json" && schemaEncoding === "jsonschema";
+    if (!isJson && (encoding !== "cdr" || schemaEncoding !== "omgidl"))
       met.errors.push(`${topic}: ${encoding}, ${schemaEncoding}`);
-    readers.set(client.subscribe(id), { topic, read: isLog ? jsonReader(schema) : cdrReader(schema, schemaName) });
+    readers.set(client.subscribe(id), { topic, read: isJson ? jsonReader(schema) : cdrReader(schema, schemaName) });
   }
 });
-client.on("message", ({ subscriptionId, timestamp, data }) => {
+client.on("message", ({ subscriptionId, data }) => {
   const { topic, read } = readers.get(subscriptionId)!;
   try {
     const sample = read(data);
     met.topics[topic] = (met.topics[topic] ?? 0) + 1;
     if (sample.time !== undefined) met.last[topic] = sample.time;
-    if (timestamp <= 0n) met.errors.push(`${topic}: timestamp ${timestamp}`);
   } catch (why) {
     met.errors.push(`${topic}: ${(why as Error).message}`);
   }
