@@ -21,7 +21,7 @@ namespace windlass::console::command {
 /// Everything that the command line sets; a command reads its own.
 struct Options {
     station::SessionOptions session{.name = fmt::format("console-{}", getpid())};
-    double timeout = 3;
+    double timeout = 10;
     bool as_json = false;
 
     double time_scale = 1;

@@ -8,11 +8,14 @@
 #include "station/format.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <iostream>
+#include <set>
+#include <tuple>
 
 namespace windlass::console {
 
@@ -25,6 +28,8 @@ struct LessonOptions {
     std::vector<fs::path> files, scripts;
     fs::path folder = "config/exercises", from, output;
     std::string id, hand, note, criterion;
+    unsigned seed = 1;
+    unsigned chances = 1; ///< how often each run is played
     bool told = false;
     bool hands = false;
 };
@@ -71,7 +76,7 @@ int run(const LessonOptions& options) {
     if (scripts.empty())
         for (const std::string& script : file.lesson.model_run.scripts)
             scripts.push_back(file.root / script);
-    print(lesson::play(file.def, load_scripts(scripts)), options.told);
+    print(lesson::play(file.def, load_scripts(scripts), {}, lesson::luck(options.seed - 1)), options.told);
     return station::kOk;
 }
 
@@ -129,6 +134,45 @@ std::string missed(const lesson::Played& played) {
     return text;
 }
 
+/// What of a run's marks is not always the same.
+struct ByChance {
+    std::vector<std::string> musts, others; ///< criteria that are met by one luck and not by another
+    std::int64_t least = 0, most = 0;       ///< tenths of a point
+    int as_said = 0;                        ///< of the attempts
+
+    std::string text(unsigned attempts) const {
+        if (attempts < 2) return {};
+        std::string said = fmt::format("<br>by chance: {} to {} points, as the lesson says {} of {}",
+                                       points(least), points(most), as_said, attempts);
+        if (!others.empty()) said += fmt::format("; decides {}", fmt::join(others, ", "));
+        if (!musts.empty()) said += fmt::format("; **decides the must {}**", fmt::join(musts, ", "));
+        return said;
+    }
+};
+
+/// The same hands with other luck: other draws, gusts and waves, a millimetre more water each time.
+ByChance play_again(const LessonFile& file, const assess::LessonRun& run,
+                    const std::vector<trainee::Script>& scripts, const lesson::Played& first,
+                    unsigned attempts) {
+    ByChance found;
+    found.least = found.most = first.result.tenths;
+    found.as_said = as_said(first, run.fails);
+    std::set<std::string> musts, others;
+    for (unsigned k = 1; k < attempts; ++k) {
+        const lesson::Played again = lesson::play(file.def, scripts, {}, lesson::luck(k));
+        found.least = std::min<std::int64_t>(found.least, again.result.tenths);
+        found.most = std::max<std::int64_t>(found.most, again.result.tenths);
+        found.as_said += as_said(again, run.fails);
+        for (std::size_t i = 0; i < first.result.criteria.size(); ++i) {
+            const auto& [was, is] = std::tie(first.result.criteria[i], again.result.criteria.at(i));
+            if (was.state != is.state) (was.must ? musts : others).insert(was.code);
+        }
+    }
+    found.musts.assign(musts.begin(), musts.end());
+    found.others.assign(others.begin(), others.end());
+    return found;
+}
+
 /// Generic hands, one line each: what the lesson made of it, and what it should.
 bool try_hands(const LessonFile& file, HandsTable& table) {
     bool all = true;
@@ -160,7 +204,7 @@ int one_hand(const LessonOptions& options) {
     for (const lesson::Hand& hand : lesson::hands(file.lesson, load_scripts(model))) {
         names += " " + hand.name;
         if (hand.name != options.hand) continue;
-        print(lesson::play(file.def, hand.parts), options.told);
+        print(lesson::play(file.def, hand.parts, {}, lesson::luck(options.seed - 1)), options.told);
         return station::kOk;
     }
     throw std::runtime_error("--hand: " + options.hand + ": allowed here:" + names);
@@ -201,14 +245,15 @@ int attempt(const LessonOptions& options) {
             for (const std::string& script : one.scripts)
                 scripts.push_back(file.root / script);
             const lesson::Played played = lesson::play(file.def, load_scripts(scripts));
-            const bool good = as_said(played, one.fails);
+            const ByChance by_chance = play_again(file, one, load_scripts(scripts), played, options.chances);
+            const bool good = as_said(played, one.fails) && by_chance.musts.empty();
             all = all && good;
             std::cout << fmt::format("| {} | {} | {} | {}{} | {} | {} |\n", file.lesson.id,
                                      one.about.empty() ? "done right" : one.about,
                                      points(played.result.tenths),
                                      assess::outcome_name(played.result.outcome),
                                      good ? "" : " **not as the lesson says**", station::clock(played.time),
-                                     missed(played))
+                                     missed(played) + by_chance.text(options.chances))
                       << std::flush;
         }
     }
@@ -278,6 +323,10 @@ void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& 
     sub->add_option("--script", options->scripts,
                     "scripts of trainees, one for each windlass; default: the lesson's model run");
     sub->add_flag("--told", options->told, "print what was said and done, too");
+    const auto add_seed = [&](CLI::App* command, const char* text) {
+        command->add_option("--seed", options->seed, text)->check(CLI::Range(1, 1000))->capture_default_str();
+    };
+    add_seed(sub, "of what the attempt leaves to chance, with as many millimetres of water and other gusts");
     sub = add("try", "play model run and typical errors, and say whether they show what the lesson says",
               attempt);
     sub->add_option("file", options->files, "exercise files; default: every lesson of the folder");
@@ -289,6 +338,11 @@ void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& 
     sub->add_option("--note", options->note, "written above that table: date, machine, commit");
     sub->add_option("--hand", options->hand, "one of these hands by its name, with its marks");
     sub->add_flag("--told", options->told, "with --hand: print what was said and done, too");
+    add_seed(sub, "with --hand: as of lesson run");
+    sub->add_option("--chances", options->chances,
+                    "how often each run is played, each time with another seed: which marks chance decides")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str();
     sub = add("whatif", "what would have kept each point that the typical errors lose; long", what_if);
     sub->add_option("file", options->files, "exercise files; default: every lesson of the folder");
     sub->add_option("--folder", options->folder, "of exercise files")->capture_default_str();

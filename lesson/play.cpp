@@ -26,22 +26,37 @@ bool worth_telling(const exercise::ExerciseEvent& event) {
     return event.code != "levers.taken" && event.code != "exercise.ready";
 }
 
+constexpr const char* kChanceName = "chance";
+constexpr double kRamp = 5; // s, in which another sea comes
+
+exercise::EnvironmentOrder another_sea(const exercise::Snapshot& seen, const Luck& luck) {
+    exercise::EnvironmentOrder order{seen.environment.after, kRamp};
+    order.weather.tide_height += luck.more_water;
+    order.weather.wave_seed += luck.other_waves;
+    return order;
+}
+
 } // namespace
 
+Luck luck(unsigned k) {
+    constexpr double kMillimetre = 0.001;
+    return {.seed = 1 + k, .more_water = kMillimetre * k, .other_waves = k};
+}
+
 Played play(const exercise::ExerciseDef& def, const std::vector<trainee::Script>& scripts,
-            const std::function<void(run::Session&)>& tick) {
+            const std::function<void(run::Session&)>& tick, const Luck& luck) {
     std::vector<Part> parts;
     for (const trainee::Script& script : scripts)
         parts.push_back({.script = script});
-    return play(def, parts, tick);
+    return play(def, parts, tick, luck);
 }
 
 Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
-            const std::function<void(run::Session&)>& tick, std::uint64_t seed) {
+            const std::function<void(run::Session&)>& tick, const Luck& luck) {
     run::SessionOptions options;
     options.id = def.name;
     options.time_scale = 0;
-    options.seed = seed;
+    options.seed = luck.seed;
     run::Session session(def, std::move(options));
     std::vector<Seat> seats;
     for (std::size_t k = 0; k < parts.size(); ++k)
@@ -59,9 +74,12 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
     const double longest = session.snapshot().time + (limit > 0 ? limit : kLongest) + kAfter;
     const auto look_every = static_cast<std::uint64_t>(std::llround(kLook * def.tick_rate_hz));
     double over_at = -1;
+    const std::uint64_t began = session.snapshot().tick;
     run::Inbox inbox;
     while (session.snapshot().time < longest && (over_at < 0 || session.snapshot().time < over_at + kAfter)) {
         inbox.orders.clear();
+        if (session.snapshot().tick == began && (luck.more_water != 0 || luck.other_waves != 0))
+            inbox.orders.push_back({kChanceName, exercise::Order{another_sea(session.snapshot(), luck)}});
         if (session.snapshot().tick % look_every == 0)
             for (Seat& seat : seats) {
                 seat.look(session.snapshot(), session.status());

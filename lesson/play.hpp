@@ -28,6 +28,16 @@ struct Part {
     bool coach = false;      ///< sees the truth beside what the seat is given
 };
 
+/// What chance has made of an attempt.
+struct Luck {
+    std::uint64_t seed = 1;   ///< of what the attempt leaves to chance; the same draws the same
+    double more_water = 0;    ///< m
+    unsigned other_waves = 0; ///< by which the seed of gusts and waves is another
+};
+/// The k-th of some that nobody on board could tell from the first: other draws, gusts and waves, and k mm
+/// more water.
+Luck luck(unsigned k);
+
 /// How it went.
 struct Played {
     assess::Result result;
@@ -39,11 +49,10 @@ struct Played {
 /// Plays an exercise until its lesson is over, or every script is done or has failed where it has none. Every
 /// script has one windlass, its side's; who touches the helm has it, and beside him there may be a voice
 /// without levers. tick: looked in after every tick. Throws std::runtime_error when its state ceases to be
-/// finite; the time limit of the lesson ends it at the latest, or an hour. seed: of what the attempt leaves
-/// to chance; the same draws the same.
+/// finite; the time limit of the lesson ends it at the latest, or an hour.
 Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
-            const std::function<void(run::Session&)>& tick = {}, std::uint64_t seed = 1);
+            const std::function<void(run::Session&)>& tick = {}, const Luck& luck = {});
 Played play(const exercise::ExerciseDef& def, const std::vector<trainee::Script>& scripts,
-            const std::function<void(run::Session&)>& tick = {});
+            const std::function<void(run::Session&)>& tick = {}, const Luck& luck = {});
 
 } // namespace windlass::lesson

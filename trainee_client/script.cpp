@@ -38,7 +38,7 @@ std::optional<double> instrument(const Picture& picture, bool (BridgeView::*work
     return bridge && (*bridge.*works)() ? std::optional<double>{read(*bridge)} : std::nullopt;
 }
 
-constexpr std::array<Quantity, 26> kQuantities{{
+constexpr std::array<Quantity, 29> kQuantities{{
     {"time", "s", Eyes::seat,
      [](const Picture& p, int) { return value(p.status, [](const auto& s) { return s.time(); }); }},
     {"counter", "m", Eyes::seat,
@@ -78,6 +78,19 @@ constexpr std::array<Quantity, 26> kQuantities{{
     {"speed_by_log", "m/s", Eyes::seat,
      [](const Picture& p, int) {
          return instrument(p, &BridgeView::log_works, [](const auto& b) { return b.speed_through_water(); });
+     }},
+    {"gps_x", "m", Eyes::seat,
+     [](const Picture& p, int) {
+         return instrument(p, &BridgeView::gps_works, [](const auto& b) { return b.position().x(); });
+     }},
+    {"gps_y", "m", Eyes::seat,
+     [](const Picture& p, int) {
+         return instrument(p, &BridgeView::gps_works, [](const auto& b) { return b.position().y(); });
+     }},
+    {"heading_deg", "deg", Eyes::seat,
+     [](const Picture& p, int) {
+         return instrument(p, &BridgeView::gyro_works,
+                           [](const auto& b) { return b.heading() / words::units::degree; });
      }},
     {"angle_seen_deg", "deg", Eyes::seat,
      [](const Picture& p, int side) {

@@ -147,4 +147,33 @@ TEST(Lessons, AHandThatStopsTheOrderedMarkInThePipeMeetsWhatCountsTheCable) {
     EXPECT_GE(looked_at, 5);
 }
 
+// What chance may make of an attempt is the same each time that it is asked for by its number.
+TEST(Lessons, LuckIsTheSameTwiceAndAnotherForEachNumber) {
+    const LessonFile file =
+        read_lesson_file(fs::path{WINDLASS_CONFIG_DIR} / "exercises" / "L15_motor_overhauled.json");
+    struct Seen {
+        std::uint64_t state = 0;
+        double tide = 0; ///< m
+        std::uint32_t waves = 0;
+        bool operator==(const Seen&) const = default;
+    };
+    const auto seen = [&](unsigned number) {
+        Seen last;
+        lesson::play(
+            file.def, std::vector<lesson::Part>{},
+            [&](run::Session& session) {
+                const auto& now = session.snapshot().environment.now;
+                last = {session.snapshot().state_hash, now.tide_height, now.wave_seed};
+            },
+            lesson::luck(number));
+        return last;
+    };
+    const Seen first = seen(0), third = seen(2);
+    EXPECT_EQ(first.tide, 0);
+    EXPECT_NEAR(third.tide, 0.002, 1e-9);
+    EXPECT_EQ(third.waves, first.waves + 2);
+    EXPECT_NE(third.state, first.state);
+    EXPECT_EQ(seen(2), third);
+}
+
 } // namespace windlass::console

@@ -341,10 +341,15 @@ TEST(Condition, OfASeatIsReadFromItsViews) {
     BridgeView bridge;
     bridge.speed_over_ground(0.5);
     bridge.gps_works(true);
+    bridge.position().x(-120);
+    bridge.position().y(40);
+    bridge.heading(1.5); // of a gyro that does not work
     picture.receive(bridge, now);
     const auto holds = [&](const char* when) { return condition(when).holds(picture, SIDE_PORT, 0); };
     EXPECT_TRUE(holds(R"({"counter": 55, "counter_shackles": {"above": 1.99, "below": 2.01}})"));
     EXPECT_TRUE(holds(R"({"brake_position": 0.4, "clutch": "in", "stopper": "off", "speed_by_gps": 0.5})"));
+    EXPECT_TRUE(holds(R"({"gps_x": {"below": -100}, "gps_y": {"above": 39, "below": 41}})"));
+    EXPECT_FALSE(holds(R"({"heading_deg": {"below": 360}})"));
     EXPECT_FALSE(holds(R"({"load_cell": 1})"));
     EXPECT_FALSE(holds(R"({"speed_by_log": {"below": 9}})")); // it does not work
     EXPECT_FALSE(holds(R"({"seat_event": "anchor.let_go"})"));
