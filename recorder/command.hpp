@@ -29,6 +29,7 @@ void add_control(CLI::App& app, Command& chosen);
 void add_debrief(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_assess(CLI::App& app, Command& chosen);
+void add_blind(CLI::App& app, Command& chosen);
 void add_resimulate(CLI::App& app, Command& chosen);
 void add_whatif(CLI::App& app, Command& chosen);
 

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     add_debrief(app, chosen);
     add_export(app, chosen);
     add_assess(app, chosen);
+    add_blind(app, chosen);
     add_resimulate(app, chosen);
     add_whatif(app, chosen);
     app.require_subcommand(0, 1);

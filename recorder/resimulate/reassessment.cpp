@@ -50,7 +50,8 @@ Reassessment reassess(recording::Recording& recording) {
         look(again.assessor());
         again.watch(look);
         again.go_through();
-        all.runs.push_back({k + 1, again.assessor().lesson()->id, again.assessor().result()});
+        all.runs.push_back({k + 1, again.assessor().lesson()->id, again.assessor().result(),
+                            again.assessor().computed(), *again.assessor().lesson()});
     }
     all.recorded = recorded.size();
     for (const auto& [tick, one] : recorded) {

@@ -11,6 +11,8 @@ struct Reassessed {
     std::size_t run = 0; ///< 1: the first of the recording
     std::string lesson;  ///< its id
     assess::Result result;
+    assess::Result computed; ///< without the assessor's words
+    assess::Lesson taught;
 };
 
 struct Reassessment {

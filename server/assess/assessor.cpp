@@ -50,6 +50,14 @@ Result Assessor::result() const {
     return lesson_ ? assess::result(*lesson_, state_, tick_rate_) : Result{};
 }
 
+Result Assessor::computed() const {
+    if (!lesson_) return {};
+    State unsaid = state_;
+    for (Mark& mark : unsaid.marks)
+        mark.overridden = false;
+    return assess::result(*lesson_, unsaid, tick_rate_);
+}
+
 void Assessor::visit(physics::ConstStateVisitor& v) const {
     if (lesson_) v.fields_of(state_);
 }

@@ -30,6 +30,8 @@ public:
     const Lesson* lesson() const { return lesson_ ? &*lesson_ : nullptr; }
     const State& state() const { return state_; }
     Result result() const;
+    /// The same as it would be had the assessor said nothing.
+    Result computed() const;
 
     void begin(const exercise::ExerciseDef& def) override;
     void visit(physics::ConstStateVisitor& v) const override;

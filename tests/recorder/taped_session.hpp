@@ -92,6 +92,19 @@ private:
         ExerciseTruth truth;
         dds::convert(session_->snapshot(), session_->status(), truth);
         put(wire::topics::exercise_truth, truths, truth);
+        for (const auto& tackle : session_->snapshot().tackle) {
+            WindlassLoad load;
+            dds::convert(session_->snapshot(), tackle, load);
+            put(wire::topics::windlass_load, {}, load);
+        }
+        for (const auto& order : session_->snapshot().bridge_orders) {
+            BridgeOrder given;
+            dds::convert(order, session_->status().run, given);
+            put(wire::topics::bridge_order, {}, given);
+        }
+        ShipState ship;
+        dds::convert(session_->snapshot(), ship);
+        put(wire::topics::ship_state, {}, ship);
     }
     template <class T, class View>
     void write(const wire::Topic<T>& topic, const Tamper<T>& tamper, const View& view) {
