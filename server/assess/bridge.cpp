@@ -62,6 +62,12 @@ bool answers(const BridgeOrderGiven& order, ReportCode report) {
                        ReportCode::anchor_aweigh, ReportCode::anchor_home});
     case BridgeOrderCode::secure:
         return report == ReportCode::secured;
+    case BridgeOrderCode::buoy_cable:
+        return report == ReportCode::ready_to_slip;
+    case BridgeOrderCode::slip:
+        return report == ReportCode::slipped;
+    case BridgeOrderCode::clear_anchor:
+        return report == ReportCode::clear_anchor;
     case BridgeOrderCode::how_leading:
         return one_of({ReportCode::lead, ReportCode::short_stay, ReportCode::up_and_down});
     case BridgeOrderCode::how_growing:

@@ -452,6 +452,9 @@ void take_report(const Criterion& criterion, Mark& mark, const Heard& report, co
     }
     switch (criterion.truth) {
     case ReportTruth::moment:
+        // Said again, to a question say, before the first could come true: that one stands.
+        if (mark.since >= 0 && mark.began < 0 && look.tick() - mark.since <= ticks(criterion.early, look))
+            return;
         if (mark.since >= 0) { // the one before did not come true
             ++mark.wrong;
             judged({.tick = mark.reported, .milli = 0});

@@ -184,9 +184,9 @@ bool lay_usual_truth(Lesson& lesson, Criterion& criterion) {
     case ReportCode::foul_anchor: {
         const bool foul = criterion.report == ReportCode::foul_anchor;
         criterion.truth = ReportTruth::state;
-        criterion.that = {
-            .side = criterion.side,
-            .bounds = {foul ? above("fouled", 0.05) : below("fouled", 0.05), below("anchor_depth", 1)}};
+        criterion.that = {.side = criterion.side,
+                          .bounds = {foul ? above("fouled", 0.05) : below("fouled", 0.05),
+                                     below("anchor_depth", words::limits::looked_through)}};
         return true;
     }
     default:

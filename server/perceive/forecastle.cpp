@@ -13,7 +13,6 @@ namespace {
 using exercise::AnchorPhase;
 
 constexpr std::size_t kNodesInView = 256, kMarksInView = 64; // bounds of the IDL
-constexpr double kLookedThrough = 1.5; ///< m of water through which steel is still made out; tuned
 
 // Steps of gauges, so that nothing finer than their scale is worked back from them.
 constexpr double kLoadStep = 1000;             ///< N, last figure of a load cell's display; tuned
@@ -77,7 +76,7 @@ void add(const Eigen::Vector3f& node, ForecastleView& to) {
 /// The cable from the lip until it passes out of sight. The link that does is cut there: how far down it goes
 /// is not seen, which way it leads is.
 void look_at_cable(const std::vector<Eigen::Vector3f>& nodes, ForecastleView& to) {
-    constexpr auto kDeepest = static_cast<float>(-kLookedThrough);
+    constexpr auto kDeepest = static_cast<float>(-words::limits::looked_through);
     for (std::size_t i = 0; i < nodes.size() && to.nodes().size() < kNodesInView; ++i) {
         if (nodes[i].z() >= kDeepest) {
             add(nodes[i], to);
@@ -104,7 +103,7 @@ void look_at_all_cable(const std::vector<Eigen::Vector3f>& nodes, ForecastleView
 
 bool in_sight(const exercise::MarkView& mark, bool underwater) {
     if (mark.outboard <= 0) return mark.outboard > -words::limits::seen_on_deck;
-    return underwater || mark.position.z() >= -kLookedThrough;
+    return underwater || mark.position.z() >= -words::limits::looked_through;
 }
 
 void look_at_marks(const std::vector<exercise::MarkView>& marks, bool underwater, ForecastleView& to) {

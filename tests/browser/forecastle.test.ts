@@ -187,6 +187,7 @@ describe("by mouse", () => {
     await page.mouse.up();
     await eventually("it has sprung back", async () => (await setSpeed()) === 0);
     await rig.truly("the windlass has it at zero", ({ port }) => port.windlass.speed_lever === 0);
+    assert.equal(await lever().evaluate((slot) => slot === document.activeElement), false, "Up is the brake's again");
   });
 
   test("let go with Shift held, the speed lever stays until it is touched again; the hand is free for the wheel", async () => {

@@ -95,6 +95,23 @@ TEST(Reports, OfWhatHappensAreWorthWhatTheTableSaysAtEachSecondRoundIt) {
     }
 }
 
+// "Brought up", and once more to the bridge's question before she is: one report, and no false call beside
+// it. One that comes when the first can no longer come true is another.
+TEST(Reports, SaidAgainBeforeItCouldComeTrueIsOneReport) {
+    for (const double again : {30.0, 90.0}) { // s after the first; early: 60
+        Course course(reporting("brought_up"), 1);
+        course.run(5);
+        course.report(ReportCode::brought_up);
+        course.run(again);
+        course.report(ReportCode::brought_up);
+        course.run(25);
+        course.event("anchor.brought_up");
+        course.run(2);
+        course.end();
+        EXPECT_EQ(course.mark().milli, again < 60 ? 1000 : 0) << again;
+    }
+}
+
 // Two units to either side of the truth: nothing, half, whole, half, nothing.
 TEST(Reports, OfFiguresAreWorthWhatTheyAreOff) {
     constexpr double kShackle = 27.5, kOut = 5 * kShackle; // m

@@ -179,7 +179,7 @@ void EventDetector::call_cable(const physics::GroundTackle& tackle, const EventL
         log("cable.shackle", side_, shackles_ + 1,
             text(shackles_ == 0 ? "%.0f shackle out, heaving" : "%.0f shackles out, heaving", shackles_ + 1));
     }
-    on_rise(end_, windlass.cable_out >= tackle.bitter_end(),
+    on_rise(end_, windlass.cable_out >= tackle.bitter_end() && !windlass.chain_gone,
             [&] { log("cable.bitter_end", side_, tackle.windlass().loads().deck.bitter_end); });
     on_rise(end_parted_, windlass.bitter_end_parted,
             [&] { log("cable.bitter_end_parted", side_, tackle.windlass().loads().deck.bitter_end); });

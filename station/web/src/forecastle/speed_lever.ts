@@ -93,8 +93,10 @@ export class SpeedLever {
     const leave = (event: PointerEvent): void => {
       if (event.pointerId !== this.pointer) return;
       this.pointer = undefined;
-      if (event.type === "pointerup" && event.shiftKey) this.hand.latch();
+      this.latched = event.type === "pointerup" && event.shiftKey;
+      if (this.latched) this.hand.latch();
       else this.hand.release();
+      slot.blur(); // else Up and Down, which are the brake's, would go on moving it
     };
     slot.addEventListener("pointerup", leave);
     slot.addEventListener("pointercancel", leave);
