@@ -2,6 +2,7 @@
 
 #include "rigs/error_coverage.hpp"
 #include "rigs/grip_in_proportion.hpp"
+#include "server/exercise/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -252,6 +253,40 @@ TEST(Model, IsDynamicAtOnceWhenTheBrakeIsReleased) {
     ASSERT_TRUE(drill.run_until([&] { return drill.windlass().cable_speed > 0; }, 3));
     EXPECT_NE(drill.now().model_level, ModelLevel::catenary);
     EXPECT_LT(drill.windlass().cable_speed, 0.2) << "it was not seen at once";
+}
+
+// Handed back at one instant after it was taken over, nodes once had the speed of their way over a time of no
+// length (1e13 m/s, and the exercise was stopped by a fault).
+TEST(Model, GivesTheCableBackAtRestWhenEverItIsAskedFor) {
+    Drill drill(steady_breeze_def());
+    ASSERT_TRUE(lie_quietly(drill));
+    drill.engine(-0.05); // a little, so that it is handed out and back by itself
+    ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level != ModelLevel::catenary; }, 600));
+    drill.engine(0);
+    ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level == ModelLevel::catenary; }, 900));
+    const auto taken_over = write_checkpoint(drill.exercise());
+    constexpr double kLook = 0.3; // s, beyond the time from one look at the cable to the next
+    const int rate = drill.exercise().def().tick_rate_hz;
+    for (int ticks = 0; ticks < kLook * rate; ++ticks) {
+        Exercise exercise = read_checkpoint(taken_over);
+        for (int k = 0; k < ticks; ++k)
+            ASSERT_TRUE(exercise.step(1.0 / rate));
+        Snapshot seen;
+        exercise.view(seen);
+        // Moved by another simulator, whose waves nobody knows, her cable is computed in full: back at once.
+        exercise.apply(OwnShipSample{.position = seen.ship.position,
+                                     .attitude = seen.ship.attitude,
+                                     .velocity = seen.ship.velocity,
+                                     .time = seen.time});
+        for (int k = 0; k < 30; ++k) {
+            ASSERT_TRUE(exercise.step(1.0 / rate)) << "asked for after " << ticks << " ticks";
+            exercise.view(seen);
+        }
+        EXPECT_NE(seen.model_level, ModelLevel::catenary);
+        EXPECT_LT(std::abs(seen.tackle[0].windlass.cable_speed), 1)
+            << "asked for after " << ticks << " ticks";
+        EXPECT_LT(seen.tackle[0].chain.largest_tension, 1.05 * drill.chain().largest_tension);
+    }
 }
 
 TEST(Model, IsDynamicBeforeASurgeOfTheShipIsFelt) {

@@ -210,6 +210,14 @@ void QuasiStaticCable::place(ChainState& chain, double seconds) {
     }
 }
 
+/// The dynamic cable has placed the nodes just now. Counted on from the next look they would be given back
+/// with speeds of way over a time that is not theirs, and at one instant of no time at all.
+void QuasiStaticCable::take_over() {
+    state_.active = true;
+    state_.agreed_for = 0;
+    state_.to_look = kPlaceTime;
+}
+
 void QuasiStaticCable::give_back(ChainState& chain) {
     assert(state_.active && "it has been taken over");
     solve(chain, chain.asleep, state_.lip, cable_.level());

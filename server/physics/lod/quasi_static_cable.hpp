@@ -45,7 +45,7 @@ public:
     /// at_rest: the windlass holds, part of the chain sleeps, and nothing but water and bottom touches it.
     int agrees(const EnvironmentDef& environment, const ChainState& chain, double dt, const Vec3& pull,
                bool at_rest);
-    void take_over() { state_.active = true, state_.agreed_for = 0; }
+    void take_over(); ///< from the next step on
 
     /// Moves the lip for a step of dt (s), and the sleeping part's end with the touchdown. False when the
     /// catenary no longer does; nothing has happened then. foot_holds: N, pull at the foot that friction
