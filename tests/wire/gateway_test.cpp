@@ -130,7 +130,7 @@ TEST_F(Gateway, AForecastleHearsNoTruthAndNoneOfWhatIsNotItsOwn) {
     const json hello = page.wait_for("hello");
     EXPECT_EQ(hello["seat"], "forecastle");
     EXPECT_EQ(hello["wire_version"], WIRE_VERSION);
-    EXPECT_EQ(hello["commands"], json({"WindlassCommand", "Report", "AlertCommand"}));
+    EXPECT_EQ(hello["commands"], json({"WindlassCommand", "Report", "DeckWorkCommand", "AlertCommand"}));
     ASSERT_TRUE(eventually([&] { return page.samples("ForecastleView").size() > 30; }));
     const std::set<std::string> own{"ExerciseStatus",  "SeatEvent",
                                     "Alert",           "BridgeOrder",

@@ -92,6 +92,7 @@ void say_every_topic() {
     say(client, topics::bridge_order_command);
     say(client, topics::watch_circle);
     say(client, topics::lights_and_shapes_command);
+    say(client, topics::deck_work_command);
     say(client, topics::alert_command);
     say(client, topics::assessment_command);
     say(client, topics::replay_command);
