@@ -3,7 +3,7 @@
 import { Refused, type Connection } from "../wire/connection";
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState } from "../wire/generated";
 import { h, setText } from "../kit/dom";
-import { isOpen, orderMayBeBare, orderState, orderUnit, written } from "../kit/orders";
+import { isOpen, isQuestion, orderMayBeBare, orderState, orderUnit, written } from "../kit/orders";
 import { clock, unitWritten } from "../kit/units";
 import { figureField, figurePad } from "./pad";
 import type { Popover } from "./popover";
@@ -15,6 +15,8 @@ const kShown = 30;
 function newestFirst(orders: BridgeOrder[], run: number | undefined): BridgeOrder[] {
   return orders.filter((order) => run === undefined || order.run === run).sort((a, b) => b.number - a.number);
 }
+
+const isToRepeat = (order: BridgeOrder): boolean => isOpen(order) && !isQuestion(order);
 
 export class Orders {
   readonly element: HTMLElement;
@@ -48,7 +50,7 @@ export class Orders {
 
   /** Repeats the newest order that waits for it, or asks for its figure. */
   repeatNewest(): void {
-    const order = this.orders().find(isOpen);
+    const order = this.orders().find(isToRepeat);
     const button = order && this.list.querySelector<HTMLButtonElement>(`[data-number="${order.number}"] button`);
     if (button) button.click();
     else this.tell(t("no order waits to be repeated"));
@@ -74,7 +76,8 @@ export class Orders {
   }
 
   private row(order: BridgeOrder): HTMLElement {
-    const open = isOpen(order);
+    const open = isToRepeat(order);
+    const asked = isOpen(order) && isQuestion(order) && this.orders()[0]?.number === order.number;
     const button: HTMLButtonElement | false =
       open &&
       h(
@@ -88,7 +91,7 @@ export class Orders {
       { "data-number": order.number, "data-state": BridgeOrderState[order.state] },
       h("time", {}, clock(order.time)),
       h("span", { class: "spoken", lang: "en" }, written(order)),
-      h("span", { class: "quiet" }, orderState(order.state)),
+      h("span", { class: "quiet" }, asked ? t("answer by a report") : orderState(order.state)),
       button,
     );
   }

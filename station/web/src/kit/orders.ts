@@ -25,3 +25,5 @@ export const orderState = (state: BridgeOrderState): string => saidOf("BridgeOrd
 /** Whether it still waits to be repeated back. */
 export const isOpen = (order: BridgeOrder): boolean =>
   order.state !== BridgeOrderState.ORDER_REPEATED && order.state !== BridgeOrderState.ORDER_CANCELLED;
+/** A question is answered by a report, and not repeated back. */
+export const isQuestion = ({ code }: Pick<BridgeOrder, "code">): boolean => orderRows[code]?.repeat === 0;

@@ -7,6 +7,7 @@ import { test } from "node:test";
 
 import words from "../../../../words/words.json";
 import { faultName, faults, machines } from "../../src/desk/fault_words";
+import { isQuestion } from "../../src/kit/orders";
 import { bareReport, orderText, reportText, saidOf, stateSaid, withSide } from "../../src/kit/words";
 import {
   AlertPriority,
@@ -117,4 +118,12 @@ test("what an assessor has not judged is not judged; what a machine never saw is
   assert.equal(stateSaid({ state, kind: CriterionKind.CRITERION_RUBRIC }), "not judged");
   assert.equal(stateSaid({ state, kind: CriterionKind.CRITERION_LIMIT }), "not shown");
   assert.equal(stateSaid({ state: CriterionState.CRITERION_MET, kind: CriterionKind.CRITERION_RUBRIC }), "met");
+});
+
+test("a question is answered, not repeated back; an order is repeated", () => {
+  const isAsked = (code: BridgeOrderCode) => isQuestion({ code });
+  assert.ok(isAsked(C.BRIDGE_ORDER_HOW_LEADING));
+  assert.ok(isAsked(C.BRIDGE_ORDER_BROUGHT_UP));
+  assert.ok(!isAsked(C.BRIDGE_ORDER_LET_GO));
+  assert.ok(!isAsked(C.BRIDGE_ORDER_TEXT));
 });
