@@ -21,8 +21,6 @@ constexpr double kFoul = 0.05; // of what an old cable is
 constexpr double kShare = 0.2; // of the cable's pull, that brake and motor may have left of it
 constexpr double kBuoyTime = 180; // s, of breaking the cable: the buoy comes first
 
-const words::EventCode kWaits = "deck_work.waits";
-
 /// Whether a joining shackle lies on deck, where men get at it: inboard of the pipe, and not on the gypsy
 /// yet.
 bool shackle_on_deck(const GroundTackle& tackle) {
@@ -130,7 +128,8 @@ DeckWork AnchorParty::work(const Place& place, double dt, const EventLog& log) {
             "the cable moves while men are at it: " + std::string(words::row_of(set_).said));
     endangered_ = moves;
     if (waits_ != DeckHindrance::none) {
-        if (waits_ != before) log(kWaits, side, 0, "men wait: " + std::string(words::row_of(waits_).said));
+        if (waits_ != before)
+            log("deck_work.waits", side, 0, "men wait: " + std::string(words::row_of(waits_).said));
         return DeckWork::none;
     }
     double& worked = worked_[static_cast<std::size_t>(set_)];

@@ -11,8 +11,8 @@ namespace windlass::exercise {
 
 using words::DeckHindrance; ///< why men do not go on
 
-/// Seconds that a work takes men who know it, from the word to "done"; no source gives more than "ten minutes
-/// to half an hour" for a joining shackle, and none the others: assumed, at the quick end.
+/// Seconds that a work takes men who know it, from the word to "done". No source was found: assumed, at the
+/// quick end of what is told on board.
 double deck_work_time(DeckWork work);
 
 /// The anchor party of one side.
