@@ -29,6 +29,20 @@ double difference_of_cables(const Snapshot& seen) {
     return std::abs(seen.tackle[0].chain.cable_out - seen.tackle[1].chain.cable_out);
 }
 
+/// Whether the straight leads from the two pipes to their anchors cross, seen from above: a cross in the
+/// hawse.
+bool leads_crossed(const Snapshot& seen) {
+    if (seen.tackle.size() < 2) return false;
+    const auto plan = [](const physics::Vec3& place) { return Eigen::Vector2d(place.head<2>()); };
+    const Eigen::Vector2d a = plan(seen.tackle[0].hawse), b = plan(seen.tackle[0].anchor.position);
+    const Eigen::Vector2d c = plan(seen.tackle[1].hawse), d = plan(seen.tackle[1].anchor.position);
+    const auto left_of = [](const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                            const Eigen::Vector2d& at) {
+        return (to - from).x() * (at - from).y() - (to - from).y() * (at - from).x() > 0;
+    };
+    return left_of(a, b, c) != left_of(a, b, d) && left_of(c, d, a) != left_of(c, d, b);
+}
+
 /// m, from the anchor to the centre of the bridge's watch circle; far off while none is kept.
 double circle_from_anchor(const Snapshot& seen, const TackleView& tackle) {
     constexpr double kNone = 1e6;
@@ -98,6 +112,8 @@ constexpr std::array kQuantities{
     Quantity{"anchors_apart", "m", "between the two anchors", WINDLASS_OF(anchors_apart(s))},
     Quantity{"cable_difference", "m", "between the two cables' lengths",
              WINDLASS_OF(difference_of_cables(s))},
+    Quantity{"leads_crossed", "yes", "the two cables' leads cross, seen from above",
+             WINDLASS_OF(leads_crossed(s) ? 1 : 0)},
     Quantity{"ship_speed", "m/s", "ship over the ground", WINDLASS_OF(s.ship.velocity.head<2>().norm())},
     Quantity{"surge", "m/s", "ship over the ground, ahead positive", WINDLASS_OF(s.ship.surge)},
     Quantity{"ship_x", "m", "midships, east", WINDLASS_OF(s.ship.position.x())},
