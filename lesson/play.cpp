@@ -27,19 +27,18 @@ bool worth_telling(const exercise::ExerciseEvent& event) {
 }
 
 constexpr const char* kChanceName = "chance";
-constexpr double kRamp = 5; // s, in which another sea comes
+} // namespace
 
-exercise::EnvironmentOrder another_sea(const exercise::Snapshot& seen, const Luck& luck) {
-    exercise::EnvironmentOrder order{seen.environment.after, kRamp};
-    order.weather.tide_height += luck.more_water;
-    order.weather.wave_seed += luck.other_waves;
+exercise::EnvironmentOrder another_sea(const exercise::Snapshot& seen, double more_water,
+                                       unsigned other_waves) {
+    constexpr double kRamp = 5; // s
+    exercise::EnvironmentOrder order{seen.environment.after, std::max(kRamp, seen.environment.ramp_left)};
+    order.weather.tide_height += more_water;
+    order.weather.wave_seed += other_waves;
     return order;
 }
 
-} // namespace
-
 Luck luck(unsigned k) {
-    constexpr double kMillimetre = 0.001;
     return {.seed = 1 + k, .more_water = kMillimetre * k, .other_waves = k};
 }
 
@@ -79,7 +78,9 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
     while (session.snapshot().time < longest && (over_at < 0 || session.snapshot().time < over_at + kAfter)) {
         inbox.orders.clear();
         if (session.snapshot().tick == began && (luck.more_water != 0 || luck.other_waves != 0))
-            inbox.orders.push_back({kChanceName, exercise::Order{another_sea(session.snapshot(), luck)}});
+            inbox.orders.push_back(
+                {kChanceName,
+                 exercise::Order{another_sea(session.snapshot(), luck.more_water, luck.other_waves)}});
         if (session.snapshot().tick % look_every == 0)
             for (Seat& seat : seats) {
                 seat.look(session.snapshot(), session.status());

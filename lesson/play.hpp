@@ -28,6 +28,13 @@ struct Part {
     bool coach = false;      ///< sees the truth beside what the seat is given
 };
 
+inline constexpr double kMillimetre = 0.001; ///< m of water, that nobody on board can tell
+
+/// The sea of a picture as it comes to be, with a little more water (m) and another seed of gusts and waves:
+/// as soon as it may be without a jump.
+exercise::EnvironmentOrder another_sea(const exercise::Snapshot& seen, double more_water,
+                                       unsigned other_waves);
+
 /// What chance has made of an attempt.
 struct Luck {
     std::uint64_t seed = 1;   ///< of what the attempt leaves to chance; the same draws the same

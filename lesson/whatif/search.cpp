@@ -1,5 +1,7 @@
 #include "lesson/whatif/search.hpp"
 
+#include "lesson/play.hpp"
+
 #include "lesson/whatif/candidates.hpp"
 
 #include <algorithm>
@@ -15,7 +17,6 @@ namespace {
 constexpr std::array kSizes{2, 5, 15, 50, 150};    // steps
 constexpr int kNudge = 2;                          // steps, that an answer must bear
 constexpr std::array kMargins{0, 2, 4, 7, 12, 22}; // steps beyond the least, to make it sure
-constexpr double kMillimetre = 0.001;              // m of water
 constexpr double kHalfSecond = 0.5;                // s, to which the last moment is told
 constexpr std::array kBack{0, 5, 10, 20, 40, 80, 160, 320, 640, 1280, 2560}; // s before the loss
 constexpr std::array kEarlier{0.0, 0.5, 1.0, 2.0, 4.0}; // s before the last moment, to make it sure
@@ -160,7 +161,7 @@ private:
         if (once && !sure.stands()) return sure;
         sure.sooner = stands(varied(trials_, change, -kNudge), milli, 0, false);
         if (once && !sure.stands()) return sure;
-        sure.water = stands(varied(trials_, change), milli, kMillimetre, false);
+        sure.water = stands(varied(trials_, change), milli, lesson::kMillimetre, false);
         if (once && !sure.stands()) return sure;
         if (trials_.has_gusts()) sure.gusts = stands(varied(trials_, change), milli, 0, true);
         return sure;
@@ -257,7 +258,7 @@ std::optional<TakenOver> Search::take_over() {
         Sure sure;
         if (tick > trials_.first_tick() + trials_.ticks(kNudge * kStep))
             sure.sooner = stands(with_model(tick - trials_.ticks(kNudge * kStep)), milli, 0, false);
-        sure.water = stands(with_model(tick), milli, kMillimetre, false);
+        sure.water = stands(with_model(tick), milli, lesson::kMillimetre, false);
         if (trials_.has_gusts()) sure.gusts = stands(with_model(tick), milli, 0, true);
         if (earlier == 0) taken.sure = sure;
         if (!sure.stands()) continue;

@@ -1,5 +1,6 @@
 #include "lesson/whatif/trials.hpp"
 
+#include "lesson/play.hpp"
 #include "server/assess/marks.hpp"
 #include "server/run/limits.hpp"
 
@@ -13,12 +14,12 @@ namespace windlass::whatif {
 using assess::CriterionKind;
 using assess::CriterionState;
 using assess::Ending;
+using lesson::another_sea;
 
 namespace {
 
 constexpr double kLook = 0.1;     // s between two looks of a model hand, as in lesson/play
 constexpr double kLongest = 3600; // s, of a lesson without a time limit
-constexpr double kRamp = 5;       // s, in which another sea comes
 
 /// A hand's own: levers, reports, what she shows, what the men are set to.
 bool of_a_hand(const exercise::Order& order) {
@@ -95,11 +96,7 @@ public:
     /// A sea that is a little another, from now on.
     void change_sea(double more_water, bool other_gusts) {
         course_.exercise().view(seen_);
-        exercise::EnvironmentOrder order{seen_.environment.after,
-                                         std::max(kRamp, seen_.environment.ramp_left)};
-        order.weather.tide_height += more_water;
-        if (other_gusts) ++order.weather.wave_seed;
-        take(order);
+        take(another_sea(seen_, more_water, other_gusts ? 1 : 0));
     }
 
     /// One tick: what the hands do, the step, and what the lesson orders then.

@@ -2,6 +2,7 @@
 
 #include "server/assess/quantities.hpp"
 #include "server/exercise/picture/snapshot.hpp"
+#include "server/exercise/watch/event_detector.hpp"
 #include "words/words.hpp"
 
 #include <algorithm>
@@ -11,9 +12,9 @@ namespace windlass::assess {
 namespace {
 
 using exercise::BridgeOrderCode;
+using exercise::kHardOn;
 using exercise::ReportCode;
 
-constexpr double kHardOn = 0.95;  // of the hand-wheel: within a quarter of a turn
 constexpr double kEased = 0.85;   // of the hand-wheel: three quarters of a turn off, from where cable may run
 constexpr double kStopped = 0.05; // m/s, of the cable
 constexpr double kSoon = 5; // s before levers are where a report has them, in which nobody tells it apart

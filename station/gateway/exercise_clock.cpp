@@ -59,10 +59,4 @@ void ClockWatch::hear(const FramePtr& frame) {
     told_(clock_.time(), again);
 }
 
-std::uint32_t number_of(const std::vector<Channel>& channels, const wire::TopicInfo& topic) {
-    const auto found = std::ranges::find_if(
-        channels, [&](const Channel& each) { return std::string_view(each.topic->name) == topic.name; });
-    return found == channels.end() ? 0 : found->number;
-}
-
 } // namespace windlass::gateway

@@ -48,7 +48,4 @@ private:
     ExerciseClock clock_;
 };
 
-/// The number that the feed gives a topic; 0: it does not hear it.
-std::uint32_t number_of(const std::vector<Channel>& channels, const wire::TopicInfo& topic);
-
 } // namespace windlass::gateway

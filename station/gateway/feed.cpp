@@ -165,4 +165,10 @@ std::optional<Spoken> Feed::spoken(const wire::TopicInfo& topic, const std::stri
     return found == heard->spoken.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::uint32_t number_of(const std::vector<Channel>& channels, const wire::TopicInfo& topic) {
+    const auto found = std::ranges::find_if(
+        channels, [&](const Channel& each) { return std::string_view(each.topic->name) == topic.name; });
+    return found == channels.end() ? 0 : found->number;
+}
+
 } // namespace windlass::gateway

@@ -26,6 +26,9 @@ struct Channel {
     const wire::TopicInfo* topic = nullptr;
 };
 
+/// The number that the feed gives a topic; 0: it does not hear it.
+std::uint32_t number_of(const std::vector<Channel>& channels, const wire::TopicInfo& topic);
+
 class Feed final : public Source {
 public:
     enum class Kind { exercise, classroom };

@@ -1,5 +1,6 @@
 #include "server/exercise/tick/anchor_party.hpp"
 
+#include "server/exercise/watch/event_detector.hpp"
 #include "server/physics/base/state_limits.hpp"
 #include "server/physics/chain/shackle_marks.hpp"
 #include "words/words.hpp"
@@ -13,12 +14,11 @@ using namespace physics;
 
 namespace {
 
-constexpr double kHardOn = 0.95; // of the hand-wheel, as orders have it
-constexpr double kMoves = 0.05;  // m/s, of the cable
-constexpr double kAtTheWater =
-    1.5;                       // m, from its middle to the surface: its flukes are within reach of a boathook
-constexpr double kFoul = 0.05; // of what an old cable is
-constexpr double kShare = 0.2; // of the cable's pull, that brake and motor may have left of it
+constexpr double kMoves = 0.05; // m/s, of the cable
+// m, from the surface to its middle: its flukes are within reach of a boathook
+constexpr double kAtTheWater = 1.5;
+constexpr double kFoul = 0.05;    // of what an old cable is
+constexpr double kShare = 0.2;    // of the cable's pull, that brake and motor may have left of it
 constexpr double kBuoyTime = 180; // s, of breaking the cable: the buoy comes first
 
 /// Whether a joining shackle lies on deck, where men get at it: inboard of the pipe, and not on the gypsy
@@ -123,7 +123,7 @@ DeckWork AnchorParty::work(const Place& place, double dt, const EventLog& log) {
     const DeckHindrance before = std::exchange(waits_, hindrance(place));
     const bool at_the_cable = set_ == DeckWork::clear_anchor || set_ == DeckWork::break_cable;
     const bool moves = at_the_cable && worked(set_) > 0 && waits_ == DeckHindrance::cable_moves;
-    if (moves && !std::exchange(endangered_, moves))
+    if (moves && !endangered_)
         log("deck_work.endangered", side, place.tackle.windlass().state().cable_speed,
             "the cable moves while men are at it: " + std::string(words::row_of(set_).said));
     endangered_ = moves;

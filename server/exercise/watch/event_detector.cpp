@@ -209,7 +209,7 @@ void EventDetector::call_machine(const physics::GroundTackle& tackle, const Even
     const physics::WindlassDef& def = windlass.def();
     const double speed = std::abs(state.cable_speed);
     on_rise(hot_, state.brake.skin > physics::kFadeStart, [&] { log("brake.hot", side_, state.brake.skin); });
-    on_rise(slipping_, state.brake.position > 0.95 && state.cable_speed > 0.05,
+    on_rise(slipping_, state.brake.position > kHardOn && state.cable_speed > 0.05,
             [&] { log("brake.slipping", side_, windlass.loads().brake); });
     on_rise(tripped_, state.motor.tripped,
             [&] { log("motor.overload_trip", side_, windlass.loads().deck.motor); });

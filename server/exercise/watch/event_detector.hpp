@@ -7,6 +7,9 @@
 
 namespace windlass::exercise {
 
+/// Of the hand-wheel: from here on a brake is hard on, which is within a quarter of a turn.
+inline constexpr double kHardOn = 0.95;
+
 /// What the rest of the world has to do with one cable.
 struct CableStrain {
     double pull = 0;        ///< N, level part of its pull on the ship
