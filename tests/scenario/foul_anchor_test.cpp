@@ -165,8 +165,8 @@ void expect_clear(const Drill& drill) {
 // in rings, and drawn tight they catch it. The same ship on the same way with her brake on, stopped, and her
 // cable veered as she falls back on it, is brought up.
 TEST(FoulAnchor, CableThatGoesOutWhileSheIsTakenRoundFoulsTheAnchorAndVeeredWithSternwayDoesNot) {
-    EXPECT_TRUE(fouled(taken_round(0, true)));
-    expect_clear(taken_round(0, false));
+    EXPECT_TRUE(fouled(taken_round(kTurn / 4, true)));
+    expect_clear(taken_round(kTurn / 4, false));
 }
 
 // A turn may slip off: on two of these four headings it does within 20 m, dragged crown first until then.

@@ -115,7 +115,7 @@ TEST(Riding, IsNotBroughtUpWhileTheCableStillCarriesTenTimesTheSteadyForce) {
 // of her cable.
 TEST(Riding, IsNotBroughtUpByAnAnchorThatDoesNotDigIn) {
     Drill drill = anchored({.name = "TooSlow", .depth = 40, .shackles = 8, .engine = 0});
-    drill.engine(0.3);
+    drill.engine(0.4);
     ASSERT_TRUE(drill.run_until([&] { return drill.now().ship.surge > 0.1; }, 600));
     drill.engine(0);
     drill.run(1200);

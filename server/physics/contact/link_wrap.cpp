@@ -9,8 +9,9 @@ namespace windlass::physics {
 
 namespace {
 
-/// Faster than this (m/s) a link slides on an edge; slower, friction turns by and by into a damper.
-constexpr double kSlides = 0.05;
+/// Faster than this (m/s) a link slides on an edge; slower, friction turns by and by into a damper, which
+/// takes from a link that rings by some cm/s what friction by the sign of its speed would give it.
+constexpr double kSlides = 0.2;
 
 /// Of the edge's radius: a node nearer than this to where the link meets the edge lies on the edge.
 constexpr double kShortest = 0.02;
