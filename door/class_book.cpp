@@ -41,6 +41,7 @@ ClassBook::ClassBook(const json& kept) {
                            .lesson = each.at("lesson"),
                            .code = each.at("code"),
                            .until = each.at("until"),
+                           .practice = each.value("practice", false),
                            .crew = each.at("crew"),
                            .exercises = each.at("exercises"),
                            .names = each.value("names", std::vector<std::string>()),
@@ -78,6 +79,7 @@ json ClassBook::to_json() const {
                                  {"in_history", result.in_history}};
         list.push_back({{"id", each.id},
                         {"lesson", each.lesson},
+                        {"practice", each.practice},
                         {"code", each.code},
                         {"until", each.until},
                         {"crew", each.crew},
@@ -103,7 +105,7 @@ TrainingClass& ClassBook::mine(const std::string& id) {
 
 const TrainingClass& ClassBook::open(const std::string& id, const std::string& lesson, int exercises,
                                      int crew, const std::string& code, std::int64_t now,
-                                     std::vector<std::string> names) {
+                                     std::vector<std::string> names, bool practice) {
     static const std::regex kName("[A-Za-z0-9][A-Za-z0-9-]{0,23}");
     if (!std::regex_match(id, kName))
         throw Denied(400, "name: 1 to 24 letters, digits and dashes are allowed");
@@ -128,6 +130,7 @@ const TrainingClass& ClassBook::open(const std::string& id, const std::string& l
                        .lesson = lesson,
                        .code = code,
                        .until = now + kGood,
+                       .practice = practice,
                        .crew = crew,
                        .exercises = {},
                        .names = std::move(names),

@@ -35,8 +35,9 @@ struct Trainee {
 struct Result {
     std::string recording;             ///< its name; empty: none was made
     std::optional<double> points = {}; ///< 0..100; nothing: it is not marked
-    std::string outcome = {}; ///< Assessment's: achieved, not_yet, not_shown; empty: not marked to the end
-    bool in_history = false;  ///< the attempt that this recording has
+    std::string outcome =
+        {}; ///< Assessment's: achieved, not_yet, not_shown, or practice; empty: not marked to the end
+    bool in_history = false; ///< the attempt that this recording has
 };
 
 struct TrainingClass {
@@ -44,6 +45,7 @@ struct TrainingClass {
     std::string lesson; ///< file of the server's exercise folder
     std::string code;
     std::int64_t until = 0; ///< s since 1970: the code is good no longer
+    bool practice = false;  ///< the lesson is played with its hints
     int crew = 1;           ///< to an exercise: 1 on the ship; 2 forecastle and bridge; 3 and one who watches
     std::vector<std::string> exercises;
     std::vector<std::string> names; ///< who may join; empty: whoever has the code
@@ -72,7 +74,8 @@ public:
     /// with "replay" (in replays seats hear all), for more exercises or crew than there may be, for more
     /// names than seats, one twice, and beyond kClasses.
     const TrainingClass& open(const std::string& id, const std::string& lesson, int exercises, int crew,
-                              const std::string& code, std::int64_t now, std::vector<std::string> names = {});
+                              const std::string& code, std::int64_t now, std::vector<std::string> names = {},
+                              bool practice = false);
 
     /// Its code and its seats are nobody's any more; who sat where is kept, with what came of it, until a
     /// class of that name is opened, or kClasses others are over.

@@ -84,7 +84,7 @@ Result ClassRuns::result(const std::string& exercise) const {
         try {
             const auto heard = wire::decode<Assessment>(frame->payload);
             result.points = heard.finished() ? heard.score() : decided_points(heard);
-            result.outcome = heard.outcome().to_string();
+            result.outcome = heard.finished() && heard.practice() ? "practice" : heard.outcome().to_string();
         } catch (const std::exception&) {
             continue; // of a writer that is no server of ours
         }
@@ -117,7 +117,7 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
         for (const std::string& exercise : each.exercises) {
             wanted.insert(exercise);
             if (!found_.contains(exercise)) {
-                create(exercise, each.lesson, now);
+                create(exercise, each, now);
                 continue;
             }
             asked_.erase(exercise);
@@ -135,8 +135,7 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
 }
 
 /// On the server that has the fewest, with those that it was asked for.
-void ClassRuns::create(const std::string& exercise, const std::string& lesson,
-                       gateway::Clock::time_point now) {
+void ClassRuns::create(const std::string& exercise, const TrainingClass& of, gateway::Clock::time_point now) {
     const auto asked = asked_.find(exercise);
     if (servers_.empty() ||
         (asked == asked_.end() ? asked_.size() >= kAsked : now - asked->second.at < kAgain))
@@ -151,7 +150,8 @@ void ClassRuns::create(const std::string& exercise, const std::string& lesson,
                                     {{"action", "CLASSROOM_CREATE"},
                                      {"server", server->server().to_string()},
                                      {"id", exercise},
-                                     {"exercise", lesson},
+                                     {"exercise", of.lesson},
+                                     {"practice", of.practice},
                                      {"wait", true}},
                                     "door");
         asked_[exercise] = {server->server().to_string(), now};

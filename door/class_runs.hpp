@@ -62,7 +62,7 @@ private:
     };
     void listen();
     void record(const TrainingClass& of, const std::string& exercise);
-    void create(const std::string& exercise, const std::string& lesson, gateway::Clock::time_point now);
+    void create(const std::string& exercise, const TrainingClass& of, gateway::Clock::time_point now);
     void carry_out();
     void remove_asked(gateway::Clock::time_point now);
 

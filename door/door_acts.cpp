@@ -285,12 +285,16 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
         for (int i = 1; i <= ClassBook::kExercises; ++i)
             if (runs_.told(fmt::format("{}-{}", id, i)))
                 throw Denied(409, "there are exercises of that name still: choose another, or wait");
+        const json practice_asked = asked.value("practice", json(false));
+        if (!practice_asked.is_boolean()) throw Denied(400, "practice: true or false");
+        const bool practice = practice_asked;
         auto names = names_in(asked);
         for (const std::string& name : names)
             if (people_.find(name) != nullptr) throw Denied(409, "names: an instructor is called " + name);
         book_.open(id, lesson, number_of(asked, "exercises"), number_of(asked, "crew"), code, unix_s(),
-                   std::move(names));
+                   std::move(names), practice);
         done["lesson"] = lesson;
+        if (practice) done["practice"] = true;
     } else if (what == "start" || what == "pause") {
         runs_.give(under_way(), wire::topics::exercise_command,
                    {{"action", what == "start" ? "EXERCISE_START" : "EXERCISE_PAUSE"}}, who.staff->name);
@@ -419,6 +423,7 @@ json DoorHost::class_told(const TrainingClass& told) {
     }
     return {{"id", told.id},
             {"lesson", told.lesson},
+            {"practice", told.practice},
             {"code", told.over || unix_s() >= told.until ? "" : told.code},
             {"crew", told.crew},
             {"until", told.until},

@@ -169,6 +169,20 @@ inline constexpr Topic<SeatEvent> seat_event{{.name = "SeatEvent",
                                               .reliable = true,
                                               .transient_local = true,
                                               .depth = 1000}};
+inline constexpr Topic<SeatEvent> forecastle_instruction{{.name = "ForecastleInstruction",
+                                                          .type = "SeatEvent",
+                                                          .from_server = true,
+                                                          .rate = 0,
+                                                          .reliable = true,
+                                                          .transient_local = true,
+                                                          .depth = 100}};
+inline constexpr Topic<SeatEvent> bridge_instruction{{.name = "BridgeInstruction",
+                                                      .type = "SeatEvent",
+                                                      .from_server = true,
+                                                      .rate = 0,
+                                                      .reliable = true,
+                                                      .transient_local = true,
+                                                      .depth = 100}};
 inline constexpr Topic<Alert> alert{{.name = "Alert",
                                      .type = "Alert",
                                      .from_server = true,
@@ -370,7 +384,7 @@ inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCo
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 45> all{exercise_status,
+inline constexpr std::array<TopicInfo, 47> all{exercise_status,
                                                exercise_truth,
                                                environment_state,
                                                ship_state,
@@ -390,6 +404,8 @@ inline constexpr std::array<TopicInfo, 45> all{exercise_status,
                                                landmarks,
                                                event,
                                                seat_event,
+                                               forecastle_instruction,
+                                               bridge_instruction,
                                                alert,
                                                server_alert,
                                                bridge_order,

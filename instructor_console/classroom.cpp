@@ -182,6 +182,7 @@ Answer create_exercise(const wire::JoinOptions& session, const NewExercise& want
     order.exercise(wanted.file);
     order.definition().assign(wanted.definition.begin(), wanted.definition.end());
     order.wait(wanted.wait);
+    order.practice(wanted.practice);
     const bool before = has(servers.at(server), wanted.id); // then only a refusal is an answer
     return visit.give(order, timeout, fmt::format("exercise {} created on server {}", wanted.id, server),
                       [&](const ClassroomStatus& now) { return !before && has(now, wanted.id); });

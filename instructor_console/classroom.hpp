@@ -14,6 +14,7 @@ struct NewExercise {
     std::string definition; ///< JSON text
     std::string server;     ///< name; empty: the only one there is
     bool wait = false;      ///< begin ready
+    bool practice = false;  ///< its lesson is played for practice, with hints
 };
 
 /// Servers and their exercises, by name. session: domain, name and identity; its partition does not matter.

@@ -56,6 +56,8 @@ void add_classroom(CLI::App& app, ClassroomOptions& options, const std::function
             ->type_name("FILE")
             ->check(CLI::ExistingFile);
     file->excludes(definition);
+    create->add_flag("--practice", options.exercise.practice,
+                     "its lesson is played for practice: with hints, and not as a test");
     create->add_flag("--wait", options.exercise.wait, "begin ready, and start on order");
     create->add_option("--server", options.exercise.server,
                        "which server; without, the one that has the fewest");

@@ -28,6 +28,7 @@ struct Options {
     std::string restore_to;
     std::size_t run = 0;
     std::string file;
+    bool practice = false; ///< load: its lesson is played for practice
     std::string bookmark;
 
     std::string side = "port";

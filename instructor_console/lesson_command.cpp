@@ -32,6 +32,7 @@ struct LessonOptions {
     unsigned chances = 1; ///< how often each run is played
     bool told = false;
     bool hands = false;
+    bool practice = false;
 };
 
 const char* word(CriterionState state) {
@@ -50,6 +51,18 @@ const char* word(CriterionState state) {
     return "";
 }
 
+std::string time_of(const assess::HintResult& hint, const lesson::Played& played) {
+    const assess::Result& result = played.result;
+    return station::clock(result.time * static_cast<double>(hint.tick) / static_cast<double>(result.tick));
+}
+
+/// As read, or for practice.
+exercise::ExerciseDef wanted(const LessonFile& file, const LessonOptions& options) {
+    exercise::ExerciseDef def = file.def;
+    if (options.practice) def.lesson = assess::for_practice(def.lesson);
+    return def;
+}
+
 void print(const lesson::Played& played, bool told) {
     if (told)
         for (const lesson::Told& one : played.told)
@@ -59,6 +72,12 @@ void print(const lesson::Played& played, bool told) {
         std::cout << fmt::format("{:<22} {:>6} {:>7} {:>5}  {}{}\n", one.code, word(one.state),
                                  points((one.weight * one.milli + 50) / 100), one.weight,
                                  one.must ? "[must] " : "", one.reason);
+    if (played.result.practice)
+        std::cout << fmt::format("for practice, hints: {}\n", played.result.hints.size());
+    for (const assess::HintResult& one : played.result.hints)
+        std::cout << fmt::format("hint {} at {}, to the {}{}: {}\n", one.id, time_of(one, played),
+                                 one.forecastle ? "forecastle" : "bridge",
+                                 one.criterion.empty() ? "" : ", on " + one.criterion, one.text);
     for (const assess::ObjectiveResult& one : played.result.objectives)
         std::cout << fmt::format("objective {}: {} ({} points) {}\n", one.id,
                                  assess::outcome_name(one.outcome), points(one.tenths), one.text);
@@ -76,7 +95,8 @@ int run(const LessonOptions& options) {
     if (scripts.empty())
         for (const std::string& script : file.lesson.model_run.scripts)
             scripts.push_back(file.root / script);
-    print(lesson::play(file.def, load_scripts(scripts), {}, lesson::luck(options.seed - 1)), options.told);
+    print(lesson::play(wanted(file, options), load_scripts(scripts), {}, lesson::luck(options.seed - 1)),
+          options.told);
     return station::kOk;
 }
 
@@ -84,9 +104,10 @@ int check(const LessonOptions& options) {
     for (const fs::path& path : options.files) {
         const LessonFile file = read_lesson_file(path);
         check_scripts(file);
-        std::cout << fmt::format("{}: lesson {} is sound: {} orders, {} criteria, {} typical errors\n",
-                                 path.string(), file.lesson.id, file.lesson.orders.size(),
-                                 file.lesson.criteria.size(), file.lesson.errors.size());
+        std::cout << fmt::format(
+            "{}: lesson {} is sound: {} orders, {} criteria, {} typical errors, {} hints\n", path.string(),
+            file.lesson.id, file.lesson.orders.size(), file.lesson.criteria.size(), file.lesson.errors.size(),
+            file.lesson.hints.size());
         for (const std::string& doubt : doubts(file))
             std::cout << fmt::format("  {}\n", doubt);
     }
@@ -131,6 +152,15 @@ std::string missed(const lesson::Played& played) {
     for (const assess::CriterionResult& one : played.result.criteria)
         if (one.state == CriterionState::not_met)
             text += (text.empty() ? "" : "<br>") + fmt::format("{}: {}", one.code, one.reason);
+    return text;
+}
+
+/// The hints of an attempt for practice, with their times.
+std::string hinted(const lesson::Played& played) {
+    if (!played.result.practice) return {};
+    std::string text = fmt::format("<br>for practice, hints: {}", played.result.hints.size());
+    for (const assess::HintResult& one : played.result.hints)
+        text += fmt::format("; {} {}", one.id, time_of(one, played));
     return text;
 }
 
@@ -244,7 +274,7 @@ int attempt(const LessonOptions& options) {
             std::vector<fs::path> scripts;
             for (const std::string& script : one.scripts)
                 scripts.push_back(file.root / script);
-            const lesson::Played played = lesson::play(file.def, load_scripts(scripts));
+            const lesson::Played played = lesson::play(wanted(file, options), load_scripts(scripts));
             const ByChance by_chance = play_again(file, one, load_scripts(scripts), played, options.chances);
             const bool good = as_said(played, one.fails) && by_chance.musts.empty();
             all = all && good;
@@ -253,7 +283,7 @@ int attempt(const LessonOptions& options) {
                                      points(played.result.tenths),
                                      assess::outcome_name(played.result.outcome),
                                      good ? "" : " **not as the lesson says**", station::clock(played.time),
-                                     missed(played) + by_chance.text(options.chances))
+                                     missed(played) + hinted(played) + by_chance.text(options.chances))
                       << std::flush;
         }
     }
@@ -326,11 +356,17 @@ void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& 
     const auto add_seed = [&](CLI::App* command, const char* text) {
         command->add_option("--seed", options->seed, text)->check(CLI::Range(1, 1000))->capture_default_str();
     };
+    const auto add_practice = [&](CLI::App* command) {
+        command->add_flag("--practice", options->practice,
+                          "with the lesson's hints, as it is played for practice");
+    };
+    add_practice(sub);
     add_seed(sub, "of what the attempt leaves to chance, with as many millimetres of water and other gusts");
     sub = add("try", "play model run and typical errors, and say whether they show what the lesson says",
               attempt);
     sub->add_option("file", options->files, "exercise files; default: every lesson of the folder");
     sub->add_option("--folder", options->folder, "of exercise files")->capture_default_str();
+    add_practice(sub);
     sub->add_flag("--hands", options->hands,
                   "hands that the author did not write instead: idle, repeating, crying, too far, ...");
     sub->add_option("--output", options->output,

@@ -101,6 +101,19 @@ void doubt_orders(const assess::Lesson& lesson, std::vector<std::string>& all) {
                                       order.id));
 }
 
+/// Hints that come whatever the hand does.
+void doubt_hints(const assess::Lesson& lesson, std::vector<std::string>& all) {
+    for (const assess::Hint& hint : lesson.hints) {
+        const assess::Condition& when = hint.when;
+        if (when.bounds.empty() && when.phases == 0 && when.signs.empty() && when.either.empty() &&
+            when.neither.empty())
+            all.push_back(
+                fmt::format("/lesson/hints ({}): comes by the clock, whatever the hand does; let it "
+                            "hang on what he could notice",
+                            hint.id));
+    }
+}
+
 } // namespace
 
 std::vector<std::string> doubts(const LessonFile& file) {
@@ -122,6 +135,7 @@ std::vector<std::string> doubts(const LessonFile& file) {
             all.push_back(fmt::format("/lesson/objectives ({}): no criterion shows it", objective.id));
     doubt_marks(lesson, all);
     doubt_orders(lesson, all);
+    doubt_hints(lesson, all);
     return all;
 }
 

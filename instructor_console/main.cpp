@@ -50,10 +50,12 @@ void add_run_commands(CLI::App& app, Options& options, Command& chosen) {
         [](const Options& o) { return command::give_run_order(o, console::time_scale_order(o.time_scale)); })
         .add_option("scale", options.time_scale, "0.1 to 20, or 0 for as fast as possible")
         ->required();
-    add(app, "load", "load another exercise", chosen,
-        [](const Options& o) { return command::give_run_order(o, console::load_order(o.file)); })
-        .add_option("file", options.file, "its file in the server's exercise folder")
-        ->required();
+    CLI::App& load = add(app, "load", "load another exercise", chosen, [](const Options& o) {
+        return command::give_run_order(o, console::load_order(o.file, o.practice));
+    });
+    load.add_option("file", options.file, "its file in the server's exercise folder")->required();
+    load.add_flag("--practice", options.practice,
+                  "its lesson is played for practice: with hints, and not as a test");
     add(app, "bookmark", "put a word into the log and the recording, at this moment", chosen,
         command::bookmark)
         .add_option("text", options.bookmark, "the word")

@@ -140,9 +140,10 @@ RunOrder restore_order(double time) {
     return order;
 }
 
-RunOrder load_order(const std::string& file) {
+RunOrder load_order(const std::string& file, bool practice) {
     RunOrder order = run_order(EXERCISE_LOAD, "loaded " + file, logged("exercise.loaded"));
     order.sample.exercise() = file;
+    order.sample.practice(practice);
     return order;
 }
 

@@ -35,7 +35,7 @@ RunOrder reset_order();
 RunOrder stop_order();
 RunOrder time_scale_order(double scale); ///< exercise seconds per wall second; 0 as fast as possible
 RunOrder restore_order(double time);     ///< s of exercise
-RunOrder load_order(const std::string& file);
+RunOrder load_order(const std::string& file, bool practice);
 /// A word into the log, to be found again in the recording; from the events after those in the picture on.
 RunOrder bookmark_order(const std::string& text, const station::Picture& picture);
 

@@ -98,6 +98,7 @@ void Seat::notice(const exercise::ExerciseEvent& event, const exercise::Snapshot
         dds::convert(event, sample);
         picture_.receive(sample, at(seen.time));
     }
+    if (perceive::is_instruction(event)) return; // a script takes no advice
     auto noticed = perceive::perceive_event(event, seen);
     if (!noticed) return;
     noticed->number(++noticed_);

@@ -87,6 +87,10 @@ struct Client::Link {
     Ear<ForecastleView> forecastle = hear(on_forecastle(seat), wire::topics::forecastle_view);
     Ear<BridgeView> bridge = hear(on_bridge(seat), wire::topics::bridge_view);
     Ear<SeatEvent> seat_event = hear(seat != Seat::instructor, wire::topics::seat_event);
+    Ear<SeatEvent> forecastle_instruction =
+        hear(on_forecastle(seat), wire::topics::forecastle_instruction, &Picture::take_instruction);
+    Ear<SeatEvent> bridge_instruction =
+        hear(on_bridge(seat), wire::topics::bridge_instruction, &Picture::take_instruction);
 
     Ear<ExerciseTruth> truth = hear(has_truth(seat), wire::topics::exercise_truth);
     Ear<ShipState> ship = hear(has_truth(seat), wire::topics::ship_state);

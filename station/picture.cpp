@@ -119,6 +119,9 @@ void Picture::receive(const Event& sample, Clock::time_point) {
 void Picture::receive(const SeatEvent& sample, Clock::time_point) {
     seat_events.receive(sample);
 }
+void Picture::take_instruction(const SeatEvent& sample, Clock::time_point) {
+    instructions[sample.forecastle() ? 0 : 1].receive(sample);
+}
 
 void Picture::receive(const Alert& sample, Clock::time_point) {
     std::erase_if(alerts, [&](const Alert& other) {

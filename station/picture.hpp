@@ -60,9 +60,10 @@ struct EventLog {
     }
 };
 
-/// How far two logs had been read.
+/// How far the logs had been read.
 struct LogsRead {
     std::uint64_t events = 0, seat_events = 0;
+    std::array<std::uint64_t, 2> instructions{};
 };
 
 /// Largest values met at one windlass since the start of the run, SI: the truth.
@@ -113,6 +114,8 @@ struct Picture {
 
     Latest<BridgeView> bridge; ///< what a seat is given, this and the one below
     EventLog<SeatEvent> seat_events;
+    /// Briefing and hints that are told to one seat alone: forecastle, bridge.
+    std::array<EventLog<SeatEvent>, 2> instructions;
 
     Latest<ExerciseTruth> truth; ///< the truth, this and all below
     Latest<EnvironmentState> environment;
@@ -130,6 +133,7 @@ struct Picture {
     void receive(const BridgeView& sample, Clock::time_point now);
     void receive(const Event& sample, Clock::time_point now);
     void receive(const SeatEvent& sample, Clock::time_point now);
+    void take_instruction(const SeatEvent& sample, Clock::time_point now);
     void receive(const Alert& sample, Clock::time_point now);
     void receive(const BridgeOrder& sample, Clock::time_point now);
     /// Levers and helm of a trainee, and of an instructor.
@@ -141,7 +145,9 @@ struct Picture {
     const Latest<HelmCommand>& helm_in_force() const { return in_force(helm, instructor_helm); }
 
     /// How many events came so far.
-    LogsRead logs_read() const { return {events.received, seat_events.received}; }
+    LogsRead logs_read() const {
+        return {events.received, seat_events.received, {instructions[0].received, instructions[1].received}};
+    }
 
     /// The server's words when it refused an order of that source, among the events after those seen that are
     /// not older than `since` s of exercise time.

@@ -17,8 +17,8 @@ constexpr Severity last_of(Severity) {
 /// In the order of idl AlertPriority.
 enum class Priority { caution, warning, alarm, emergency };
 
-/// When a seat notices an event.
-enum class Notice { never, anchor_above, own_orders, always };
+/// When a seat notices an event. alone: it is told to this seat and to no other.
+enum class Notice { never, anchor_above, own_orders, always, alone };
 
 /// Where the mark is that a report of shackles counts.
 enum class MarkAt { none, deck, pipe, water };

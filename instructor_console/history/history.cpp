@@ -21,8 +21,9 @@ History::History(const std::filesystem::path& file) : database_(file) {
                             "{}, {} is known here)",
                             file.string(), version, kSchemaVersion));
         if (version == kSchemaVersion) return;
-        if (version == 1) {
-            database_.run_all(kFromVersion1);
+        if (version == 1 || version == 2) {
+            if (version == 1) database_.run_all(kFromVersion1);
+            database_.run_all(kFromVersion2);
             database_.run_all(fmt::format("PRAGMA user_version = {}", kSchemaVersion));
             return;
         }
@@ -87,7 +88,12 @@ std::string History::confirm(const std::string& beginning, const Word& word, con
     database_.all_or_nothing([&] {
         const std::string id = attempt_of(beginning);
         const Row row =
-            database_.run("SELECT score_computed, pass, outcome FROM attempt WHERE id = ?", {id}).at(0);
+            database_.run("SELECT score_computed, pass, outcome, practice FROM attempt WHERE id = ?", {id})
+                .at(0);
+        if (integer_of(row[3]) == 1)
+            throw std::invalid_argument("attempt " + id.substr(0, 8) +
+                                        " is for practice, and shows no competence; have the lesson done "
+                                        "without hints, and confirm that");
         const Computed computed{integer_of(row[0]), integer_of(row[1]), text_of(row[2])};
         const auto tenths =
             word.score ? std::optional<std::int64_t>(std::llround(*word.score * 10)) : computed.tenths;
@@ -118,7 +124,9 @@ std::vector<Listed> History::list(const Wanted& wanted) {
         "seat || ')', "
         "', ') FROM seat JOIN trainee ON trainee.id = seat.trainee WHERE seat.attempt = attempt.id), "
         "coalesce(score_final, "
-        "score_computed), coalesce(outcome_final, outcome), ended, confirmed_by, recording FROM attempt JOIN "
+        "score_computed), CASE WHEN practice THEN 'practice' ELSE coalesce(outcome_final, outcome) END, "
+        "ended, "
+        "confirmed_by, recording, hints FROM attempt JOIN "
         "lesson ON lesson.hash = "
         "lesson_hash "
         "WHERE (?1 = '' OR EXISTS(SELECT 1 FROM seat JOIN trainee ON trainee.id = seat.trainee WHERE "
@@ -135,7 +143,8 @@ std::vector<Listed> History::list(const Wanted& wanted) {
                        .outcome = text_of(row[6]),
                        .ended = text_of(row[7]),
                        .confirmed_by = text_of(row[8]),
-                       .recording = text_of(row[9])});
+                       .recording = text_of(row[9]),
+                       .hints = integer_of(row[10]).value_or(0)});
     return all;
 }
 
@@ -154,14 +163,15 @@ std::string field(const std::string& text) {
 std::string History::csv(bool with_names) {
     std::string csv = "attempt,began_at,lesson,title,seat,pseudonym,group,score_computed,score_final,outcome,"
                       "outcome_computed,ended,"
-                      "confirmed_by,confirmed_at,assessment_hash,recording_sha256";
+                      "confirmed_by,confirmed_at,assessment_hash,recording_sha256,hints";
     csv += with_names ? ",name\r\n" : "\r\n";
     const auto rows = database_.run(
         std::string(
             "SELECT attempt.id, began_at, lesson.name, lesson.title, seat.seat, pseudonym, group_name, "
-            "score_computed / 10.0, score_final / 10.0, coalesce(outcome_final, outcome), outcome, ended, "
+            "score_computed / 10.0, score_final / 10.0, CASE WHEN practice THEN 'practice' ELSE "
+            "coalesce(outcome_final, outcome) END, outcome, ended, "
             "confirmed_by, confirmed_at, "
-            "assessment_hash, recording_sha256") +
+            "assessment_hash, recording_sha256, hints") +
         (with_names ? ", trainee.name" : "") +
         " FROM attempt JOIN lesson ON lesson.hash = lesson_hash LEFT JOIN seat ON seat.attempt = attempt.id "
         "LEFT JOIN "

@@ -19,7 +19,9 @@ struct Seated {
 struct Listed {
     std::string attempt, began_at, lesson, title, trainees; ///< trainees: "t1 (forecastle), t2 (bridge)"
     std::optional<std::int64_t> score;                      ///< tenths; the assessor's, else the computed one
-    std::string outcome, ended, confirmed_by, recording;
+    std::string outcome; ///< "practice" where it was for that: it counts as no test, whatever came of it
+    std::string ended, confirmed_by, recording;
+    std::int64_t hints = 0; ///< that were given
 };
 
 /// What is listed; empty: all.

@@ -206,19 +206,22 @@ std::string History::add(const debrief::Attempt& attempt, const std::vector<Seat
         database_.run(
             "INSERT INTO attempt(id, lesson_hash, began_at, seed, run, recording, recording_sha256, ended, "
             "score_computed, "
-            "outcome, assessment_hash, pass) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(id) DO "
+            "outcome, assessment_hash, pass, practice, hints) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+            "?) ON CONFLICT(id) DO "
             "UPDATE SET "
             "lesson_hash = "
             "excluded.lesson_hash, recording = excluded.recording, ended = excluded.ended, score_computed = "
             "excluded.score_computed, outcome = excluded.outcome, assessment_hash = "
             "excluded.assessment_hash, pass = "
-            "excluded.pass",
+            "excluded.pass, practice = excluded.practice, hints = excluded.hints",
             {id, lesson, debrief::iso_time(attempt.origin.began_unix_ns), integer(attempt.wave_seed),
              integer(attempt.origin.run), std::filesystem::absolute(recording).lexically_normal().string(),
              attempt.origin.sha256, or_null(debrief::ended_by(attempt)), or_null(score),
              or_null(assessment ? assessment->outcome().to_string() : ""),
              or_null(assessment ? hex(assessment->assessment_hash()) : ""),
-             assessment ? integer(assessment->pass()) : Value()});
+             assessment ? integer(assessment->pass()) : Value(),
+             integer(assessment && assessment->practice() ? 1 : 0),
+             integer(assessment ? assessment->hints().size() : 0)});
         put_marks(attempt, id);
         put_said(attempt, id);
         put_words(attempt, id);

@@ -69,6 +69,7 @@ void list(History& history, const HistoryOptions& options, bool as_json) {
              {"trainees", each.trainees},
              {"score", each.score ? ordered_json(static_cast<double>(*each.score) / 10) : ordered_json()},
              {"outcome", each.outcome},
+             {"hints", each.hints},
              {"ended", each.ended},
              {"confirmed_by", each.confirmed_by},
              {"recording", each.recording}});
@@ -77,14 +78,18 @@ void list(History& history, const HistoryOptions& options, bool as_json) {
         std::cout << rows << std::endl;
         return;
     }
-    fmt::print("{:8}  {:20}  {:24}  {:>6}  {:10}  {:12}  {}\n", "attempt", "begun", "lesson", "points",
+    fmt::print("{:8}  {:20}  {:24}  {:>6}  {:21}  {:12}  {}\n", "attempt", "begun", "lesson", "points",
                "outcome", "confirmed by", "trainees");
+    const auto outcome = [](const Listed& each) {
+        if (each.outcome == "practice")
+            return fmt::format("for practice, {} hint{}", each.hints, each.hints == 1 ? "" : "s");
+        return each.outcome.empty() ? std::string("-") : each.outcome;
+    };
     for (const Listed& each : all)
-        fmt::print("{:8}  {:20}  {:24}  {:>6}  {:10}  {:12}  {}\n", each.attempt.substr(0, 8), each.began_at,
+        fmt::print("{:8}  {:20}  {:24}  {:>6}  {:21}  {:12}  {}\n", each.attempt.substr(0, 8), each.began_at,
                    each.lesson,
                    each.score ? fmt::format("{:.1f}", static_cast<double>(*each.score) / 10) : "-",
-                   each.outcome.empty() ? "-" : each.outcome,
-                   each.confirmed_by.empty() ? "-" : each.confirmed_by, each.trainees);
+                   outcome(each), each.confirmed_by.empty() ? "-" : each.confirmed_by, each.trainees);
     std::fflush(stdout);
 }
 

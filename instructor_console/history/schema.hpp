@@ -1,10 +1,10 @@
 #pragma once
-// The tables of the history, version 2. Scores are in tenths of a point of 100; times of day are ISO 8601 in
+// The tables of the history, version 3. Scores are in tenths of a point of 100; times of day are ISO 8601 in
 // UTC.
 
 namespace windlass::history {
 
-inline constexpr int kSchemaVersion = 2; ///< PRAGMA user_version
+inline constexpr int kSchemaVersion = 3; ///< PRAGMA user_version
 
 inline constexpr const char* kSchema = R"(
 CREATE TABLE trainee(id INTEGER PRIMARY KEY, pseudonym TEXT UNIQUE NOT NULL, name TEXT, group_name TEXT, removed_at TEXT);
@@ -13,7 +13,7 @@ CREATE TABLE attempt(id TEXT PRIMARY KEY, lesson_hash TEXT NOT NULL REFERENCES l
   began_at TEXT NOT NULL, seed INTEGER NOT NULL, run INTEGER NOT NULL, recording TEXT, recording_sha256 TEXT,
   server_version TEXT, ended TEXT CHECK(ended IN('good','time','abort','instructor')), score_computed INTEGER,
   score_final INTEGER, outcome TEXT, assessment_hash TEXT, confirmed_by TEXT, confirmed_at TEXT, outcome_final TEXT,
-  pass INTEGER);
+  pass INTEGER, practice INTEGER NOT NULL DEFAULT 0, hints INTEGER NOT NULL DEFAULT 0);
 CREATE TABLE seat(attempt TEXT REFERENCES attempt, trainee INTEGER REFERENCES trainee, seat TEXT, PRIMARY KEY(attempt, seat));
 CREATE TABLE mark(attempt TEXT REFERENCES attempt, criterion TEXT, state TEXT, milli INTEGER, weight INTEGER, tick INTEGER,
   worst REAL, ticks_outside INTEGER, reason TEXT, PRIMARY KEY(attempt, criterion));
@@ -31,6 +31,12 @@ ALTER TABLE attempt ADD COLUMN outcome_final TEXT;
 ALTER TABLE attempt ADD COLUMN pass INTEGER;
 UPDATE attempt SET score_final = NULL, confirmed_by = NULL, confirmed_at = NULL WHERE confirmed_by = 'server';
 DELETE FROM override WHERE by = 'server';
+)";
+
+/// From version 2, in which every attempt was a test.
+inline constexpr const char* kFromVersion2 = R"(
+ALTER TABLE attempt ADD COLUMN practice INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE attempt ADD COLUMN hints INTEGER NOT NULL DEFAULT 0;
 )";
 
 } // namespace windlass::history

@@ -65,6 +65,18 @@ std::vector<Achievement> achievements_of(const Attempt& attempt) {
     return all;
 }
 
+std::string practice_words(const Attempt& attempt) {
+    if (!attempt.assessment || !attempt.assessment->practice()) return "";
+    const std::size_t hints = attempt.assessment->hints().size();
+    return "for practice, " + std::to_string(hints) + (hints == 1 ? " hint" : " hints");
+}
+
+bool was_hinted(const Attempt& attempt, const Criterion& criterion) {
+    return attempt.assessment && std::ranges::any_of(attempt.assessment->hints(), [&](const HintGiven& hint) {
+               return hint.criterion() == criterion.code();
+           });
+}
+
 std::string name_of(const Criterion& criterion) {
     std::string name = criterion.code().to_string();
     std::ranges::replace_if(

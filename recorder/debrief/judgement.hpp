@@ -36,6 +36,12 @@ Judgement judgement_of(const Attempt& attempt);
 /// The lesson's objectives, as the server has judged them.
 std::vector<Achievement> achievements_of(const Attempt& attempt);
 
+/// "for practice, 2 hints"; empty: it was a test, or nothing was assessed.
+std::string practice_words(const Attempt& attempt);
+
+/// Whether a hint was given on that criterion.
+bool was_hinted(const Attempt& attempt, const Criterion& criterion);
+
 /// What a criterion is called: "pay out".
 std::string name_of(const Criterion& criterion);
 

@@ -115,14 +115,27 @@ std::string strengths(const Judgement& judgement) {
     return items.empty() ? "" : "<h3>What went well</h3>\n<ul>\n" + items + "</ul>\n";
 }
 
-std::string criteria(const Judgement& judgement) {
+/// What was murmured in an attempt for practice.
+std::string hints(const PageContext& page) {
+    if (page.attempt.assessment->hints().empty()) return "";
+    std::vector<std::vector<Cell>> rows;
+    for (const HintGiven& hint : page.attempt.assessment->hints())
+        rows.push_back({html_cell(time_link(page, page.attempt.time_of(hint.tick()))),
+                        text_cell(hint.forecastle() ? "forecastle" : "bridge"),
+                        text_cell(hint.text().to_string()), text_cell(hint.criterion().to_string())});
+    return "<h3>Hints</h3>\n" +
+           table("Hints that were given, each to its seat", {"time", "to", "hint", "criterion"}, rows);
+}
+
+std::string criteria(const Attempt& attempt, const Judgement& judgement) {
     std::vector<std::vector<Cell>> rows;
     for (const Mark& mark : judgement.marks) {
         const Criterion& criterion = *mark.criterion;
         const bool limit = criterion.kind() == CRITERION_LIMIT;
         const std::string unit = criterion.unit().to_string();
         rows.push_back(
-            {text_cell(title_of(criterion) + (criterion.must() ? " (must)" : "")),
+            {text_cell(title_of(criterion) + (criterion.must() ? " (must)" : "") +
+                       (was_hinted(attempt, criterion) ? " (hinted)" : "")),
              text_cell(station::words(criterion.kind())),
              figure_cell(limit ? figure_text(criterion.limit(), unit) : ""),
              figure_cell(limit ? figure_text(criterion.worst(), unit) : ""),
@@ -166,6 +179,9 @@ std::string result_part(const PageContext& page) {
     const Judgement judgement = judgement_of(attempt);
     html += fmt::format("<p class=\"score\">{:.1f} of 100 points, {}</p>\n", assessment.score(),
                         escaped(outcome_words(assessment.outcome().to_string())));
+    if (assessment.practice())
+        html += fmt::format("<p>This attempt was {}: it is no test of competence.</p>\n",
+                            practice_words(attempt));
     if (assessment.score() != assessment.score_computed())
         html += fmt::format("<p>Computed: {:.1f} points; the assessor has set marks beside that.</p>\n",
                             assessment.score_computed());
@@ -173,8 +189,8 @@ std::string result_part(const PageContext& page) {
         if (word.command.criterion().size() == 0 && word.command.verdict() == VERDICT_CONFIRMED)
             html += fmt::format("<p>Confirmed by {}: {}</p>\n", escaped(word.by),
                                 escaped(word.command.note().to_string()));
-    return html + objectives(attempt) + strengths(judgement) + deductions(page, judgement) +
-           criteria(judgement) + "</section>\n";
+    return html + objectives(attempt) + strengths(judgement) + deductions(page, judgement) + hints(page) +
+           criteria(attempt, judgement) + "</section>\n";
 }
 
 std::string moments_part(const PageContext& page) {

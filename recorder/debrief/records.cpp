@@ -104,6 +104,7 @@ ordered_json criteria_json(const Attempt& attempt) {
                           {"milli", criterion.counted()},
                           {"counts", criterion.counts()},
                           {"met", criterion.met()},
+                          {"hinted", was_hinted(attempt, criterion)},
                           {"points_lost", mark.lost},
                           {"limit", criterion.limit()},
                           {"worst", criterion.worst()},
@@ -129,6 +130,13 @@ ordered_json assessment_json(const Attempt& attempt) {
                               {"score", tenths(each.score)},
                               {"pass", each.pass},
                               {"outcome", each.outcome}});
+    ordered_json hints = ordered_json::array();
+    for (const HintGiven& hint : assessment.hints())
+        hints.push_back({{"time", attempt.time_of(hint.tick())},
+                         {"id", hint.id().to_string()},
+                         {"seat", hint.forecastle() ? "forecastle" : "bridge"},
+                         {"criterion", hint.criterion().to_string()},
+                         {"text", hint.text().to_string()}});
     const AssessorWord* confirmed = confirmation(attempt);
     return {{"score", tenths(assessment.score())},
             {"score_computed", tenths(assessment.score_computed())},
@@ -139,6 +147,8 @@ ordered_json assessment_json(const Attempt& attempt) {
             {"lesson_hash", fmt::format("{:016x}", assessment.lesson_hash())},
             {"assessment_hash", fmt::format("{:016x}", assessment.assessment_hash())},
             {"confirmed_by", confirmed == nullptr ? ordered_json() : ordered_json(confirmed->by)},
+            {"practice", assessment.practice()},
+            {"hints", std::move(hints)},
             {"objectives", std::move(objectives)},
             {"criteria", criteria_json(attempt)}};
 }

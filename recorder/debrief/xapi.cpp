@@ -89,21 +89,30 @@ ordered_json xapi_of(const Attempt& attempt, const Actor& actor) {
         const Assessment& marks = *attempt.assessment;
         const bool passed = marks.outcome() == "achieved";
         const std::string ours(kOurs);
-        statements.add(
-            passed ? "passed" : "failed", lesson,
-            {{"score", score(marks.score())},
-             {"success", passed},
-             {"completion", true},
-             {"duration", lasted},
-             {"extensions",
-              {{ours + "extension:score_computed", marks.score_computed()},
-               {ours + "extension:overridden", marks.score() != marks.score_computed()},
-               {ours + "extension:outcome", marks.outcome().to_string()},
-               {ours + "extension:assessment_hash", fmt::format("{:016x}", marks.assessment_hash())},
-               {ours + "extension:lesson_hash", fmt::format("{:016x}", marks.lesson_hash())}}}},
-            attempt.ended);
+        // Practice shows no competence: it was neither passed nor failed.
+        const bool practice = marks.practice();
+        ordered_json result{
+            {"score", score(marks.score())},
+            {"completion", true},
+            {"duration", lasted},
+            {"extensions",
+             {{ours + "extension:score_computed", marks.score_computed()},
+              {ours + "extension:overridden", marks.score() != marks.score_computed()},
+              {ours + "extension:practice", practice},
+              {ours + "extension:hints", marks.hints().size()},
+              {ours + "extension:outcome", marks.outcome().to_string()},
+              {ours + "extension:assessment_hash", fmt::format("{:016x}", marks.assessment_hash())},
+              {ours + "extension:lesson_hash", fmt::format("{:016x}", marks.lesson_hash())}}}};
+        if (practice)
+            result["response"] = practice_words(attempt);
+        else
+            result["success"] = passed;
+        statements.add(practice ? "experienced"
+                       : passed ? "passed"
+                                : "failed",
+                       lesson, std::move(result), attempt.ended);
         for (const Achievement& each : achievements_of(attempt)) {
-            if (each.outcome == "not_shown") continue;
+            if (practice || each.outcome == "not_shown") continue;
             const bool achieved = each.outcome == "achieved";
             statements.add(achieved ? "passed" : "failed", statements.objective(each),
                            {{"score", score(each.score)}, {"success", achieved}}, attempt.ended, true);

@@ -182,6 +182,13 @@ void bring_faults(const Lesson& lesson, State& state, const Snapshot& seen, int 
     }
 }
 
+/// In practice alone. Each is told once.
+void give_hints(const Lesson& lesson, State& state, const Look& look) {
+    if (!lesson.practice) return;
+    for (std::size_t k = 0; k < lesson.hints.size(); ++k)
+        if (state.hints[k] < 0 && look.holds(lesson.hints[k].when)) state.hints[k] = state.tick;
+}
+
 void end(const Lesson& lesson, State& state, int tick_rate, Ending ending) {
     if (state.ending != Ending::none) return;
     state.ending = ending;
@@ -333,6 +340,7 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
     state.heard.clear();
     look_for_the_end(lesson, state, seen, tick_rate);
     if (state.ending != Ending::none) return;
+    give_hints(lesson, state, look);
     if (!speak(lesson, state, seen, tick_rate, due)) return end(lesson, state, tick_rate, Ending::time);
     bring_faults(lesson, state, seen, tick_rate, due);
     change_weather(lesson, state, seen, tick_rate, due);

@@ -148,6 +148,15 @@ struct Objective {
     int pass = 50; ///< points of 100
 };
 
+/// What a seat is told in an attempt for practice, once, when its condition first holds.
+struct Hint {
+    std::string id, say;
+    Condition when;
+    bool forecastle = true; ///< to whom; false: to the bridge
+    int side = -1;          ///< whose cable it is about, where the condition names one; -1: neither
+    int criterion = -1;     ///< place in criteria that it helps with; -1: none
+};
+
 /// How the lesson goes with scripted hands.
 struct LessonRun {
     std::vector<std::string> scripts; ///< one for each windlass that is worked, paths from the config folder
@@ -158,7 +167,9 @@ struct LessonRun {
 struct Lesson {
     std::uint64_t hash = 0; ///< of its text
     std::string id, title;
-    std::string briefing; ///< that the trainee reads
+    std::string briefing;                   ///< that every trainee reads
+    std::array<std::string, 2> briefings{}; ///< beside it, that one seat alone reads: forecastle, bridge
+    bool practice = false; ///< this attempt is for practice: it has the hints, and is no test of competence
     bool bridge_manned = false;
     int side = 0;
     int pass = 70;                     ///< points of 100
@@ -171,6 +182,7 @@ struct Lesson {
     std::vector<LessonFault> faults;
     std::vector<WeatherChange> schedule;
     std::vector<Criterion> criteria;
+    std::vector<Hint> hints;
     std::array<Gear, 2> gear{}; ///< port, starboard; of the exercise, not of the file
     std::optional<Condition> good;
     double time_limit = 0; ///< s of the lesson; 0: none
@@ -191,5 +203,9 @@ inline constexpr double kDoneFor = 1; ///< s for which a condition of an order h
 /// fault:
 /// "/lesson/criteria/2/order: ...", and what to do. sides: those that the exercise has a windlass for.
 Lesson read_lesson(const std::string& text, const std::vector<int>& sides);
+
+/// The same text for an attempt for practice. The lesson's hash stays what it is; an empty text stays empty.
+/// Throws exercise::ConfigError when it is no JSON.
+std::string for_practice(const std::string& text);
 
 } // namespace windlass::assess

@@ -22,6 +22,10 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// That a hint or a briefing may be for.
+constexpr std::array<const char*, 2> kSeats{"forecastle", "bridge"};
+constexpr const char* kPractice = "practice";
+
 /// Reads what fits the schema, and says what the schema cannot: names that lead nowhere, figures that do not
 /// go together.
 class LessonReader {
@@ -32,6 +36,10 @@ public:
         lesson_.id = json_.value("id", "");
         lesson_.title = json_.value("title", lesson_.id);
         lesson_.briefing = json_.value("briefing", "");
+        if (json_.contains("briefings"))
+            for (std::size_t seat = 0; seat < kSeats.size(); ++seat)
+                lesson_.briefings.at(seat) = json_.at("briefings").value(kSeats.at(seat), "");
+        lesson_.practice = json_.value(kPractice, false);
         lesson_.bridge_manned = json_.value("bridge", "lesson") == "manned";
         lesson_.side = side(json_, "/lesson", sides_.empty() ? 0 : sides_.front());
         lesson_.pass = json_.value("pass", 70);
@@ -47,6 +55,7 @@ public:
         read_list("faults", [&](const Json& one, const std::string& at) { read_fault(one, at); });
         read_list("schedule", [&](const Json& one, const std::string& at) { read_change(one, at); });
         read_list("criteria", [&](const Json& one, const std::string& at) { read_criterion(one, at); });
+        read_list("hints", [&](const Json& one, const std::string& at) { read_hint(one, at); });
         read_end();
         read_runs();
         check_weights();
@@ -79,6 +88,8 @@ private:
         take("objectives", objectives_);
         take("orders", orders_);
         take("criteria", criteria_);
+        std::vector<std::string> hints;
+        take("hints", hints);
         if (json_.contains("moments"))
             for (const auto& [id, unused] : json_.at("moments").items())
                 moments_.push_back(id);
@@ -440,6 +451,24 @@ private:
         if (to.half < to.full) fault(at + "/half", "is below full: half a mark comes after a full one");
     }
 
+    void read_hint(const Json& one, const std::string& at) {
+        const Json& when = one.at("when");
+        Hint to{.id = one.at("id"),
+                .say = one.at("say"),
+                .when = condition(when, at + "/when", lesson_.side),
+                .forecastle = one.value("seat", std::string(kSeats[0])) == kSeats[0]};
+        if (when.contains("side")) to.side = to.when.side;
+        if (when.empty())
+            fault(at + "/when",
+                  "names nothing that must hold, so that the hint would come at once; name what "
+                  "the hand could notice by then");
+        if (to.say.find_first_not_of(" \t\n") == std::string::npos)
+            fault(at + "/say", "is empty; write what an instructor would murmur at that moment");
+        if (one.contains("criterion"))
+            to.criterion = reference(criteria_, one.at("criterion"), at + "/criterion", "criteria");
+        lesson_.hints.push_back(std::move(to));
+    }
+
     void read_end() {
         if (!json_.contains("end")) return;
         const Json& end = json_.at("end");
@@ -490,7 +519,7 @@ private:
 } // namespace
 
 Lesson read_lesson(const std::string& text, const std::vector<int>& sides) {
-    const Json json = parse_json(text, "/lesson");
+    Json json = parse_json(text, "/lesson");
     LessonReader reader(json, sides);
     Lesson lesson = reader.read();
     std::string faults;
@@ -498,9 +527,18 @@ Lesson read_lesson(const std::string& text, const std::vector<int>& sides) {
         faults += (faults.empty() ? "" : "\n") + fault;
     if (!faults.empty()) throw ConfigError(faults);
     exercise::StateHash hash;
-    hash.text({"lesson"}, text);
+    // One lesson has one hash, for practice or not.
+    json.erase(kPractice);
+    hash.text({"lesson"}, json.dump());
     lesson.hash = hash.value();
     return lesson;
+}
+
+std::string for_practice(const std::string& text) {
+    if (text.empty()) return text;
+    Json json = parse_json(text, "/lesson");
+    json[kPractice] = true;
+    return json.dump();
 }
 
 } // namespace windlass::assess

@@ -211,6 +211,23 @@ std::vector<OrderDoneResult> orders_done(const State& state) {
     return all;
 }
 
+std::vector<HintResult> hints_given(const Lesson& lesson, const State& state) {
+    std::vector<HintResult> all;
+    for (std::size_t k = 0; k < lesson.hints.size(); ++k) {
+        if (state.hints[k] < 0) continue;
+        const Hint& hint = lesson.hints[k];
+        all.push_back({.tick = wire_tick(state.hints[k]),
+                       .id = hint.id,
+                       .criterion = hint.criterion < 0
+                                        ? ""
+                                        : lesson.criteria[static_cast<std::size_t>(hint.criterion)].id,
+                       .forecastle = hint.forecastle,
+                       .text = hint.say});
+    }
+    std::ranges::stable_sort(all, {}, &HintResult::tick);
+    return all;
+}
+
 ReportResult report_result(const Lesson& lesson, const JudgedReport& report, int tick_rate) {
     const Criterion& criterion = lesson.criteria[static_cast<std::size_t>(report.criterion)];
     ReportResult to{.tick = wire_tick(report.tick),
@@ -260,7 +277,9 @@ Result result(const Lesson& lesson, const State& state, int tick_rate) {
                   .criteria = {},
                   .objectives = {},
                   .orders = orders_done(state),
-                  .reports = {}};
+                  .reports = {},
+                  .practice = lesson.practice,
+                  .hints = hints_given(lesson, state)};
     for (const JudgedReport& report : state.judged)
         result.reports.push_back(report_result(lesson, report, tick_rate));
     std::ranges::stable_sort(result.reports, {}, &ReportResult::tick);

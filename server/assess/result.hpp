@@ -46,6 +46,15 @@ struct ReportResult {
 };
 WINDLASS_FIELDS(ReportResult, tick, code, side, criterion, text, milli, delay, truth)
 
+/// Names, units and meaning as in idl HintGiven.
+struct HintResult {
+    std::uint64_t tick = 0;
+    std::string id, criterion;
+    bool forecastle = true;
+    std::string text;
+};
+WINDLASS_FIELDS(HintResult, tick, id, criterion, forecastle, text)
+
 /// Names, units and meaning as in idl Assessment.
 struct Result {
     std::uint64_t tick = 0;
@@ -61,6 +70,8 @@ struct Result {
     std::vector<ObjectiveResult> objectives;
     std::vector<OrderDoneResult> orders;
     std::vector<ReportResult> reports;
+    bool practice = false;
+    std::vector<HintResult> hints;
 };
 
 /// "achieved", "not_yet", "not_shown"; "" while it runs.

@@ -38,6 +38,7 @@ State fresh(const Lesson& lesson) {
     state.fault_since.assign(lesson.faults.size(), -1);
     state.marks.resize(lesson.criteria.size());
     state.held.assign(static_cast<std::size_t>(lesson.held), -1);
+    state.hints.assign(lesson.hints.size(), -1);
     return state;
 }
 
@@ -45,7 +46,7 @@ template <class Visitor, physics::StateOf<State> Self>
 void visit_state(Visitor& v, Self& self) {
     auto& [begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up, seed,
            question, heard_at, spoke_at, told, confirmed, events, reports, moments, orders, faults,
-           fault_since, marks, held, heard, judged, growth] = self;
+           fault_since, marks, held, hints, heard, judged, growth] = self;
     WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up,
                    seed, question, heard_at, spoke_at, confirmed);
     for (auto& shackles : told)
@@ -88,6 +89,9 @@ void visit_state(Visitor& v, Self& self) {
     sized(v, "held", held);
     for (auto& since : held)
         v.field({"since"}, since);
+    sized(v, "hints", hints);
+    for (auto& given : hints)
+        v.field({"hint"}, given);
     v.length({"heard"}, heard, kMaxHeard);
     for (auto& report : heard) {
         auto& [came, code, side, value, lead, stay, growing, weight, order_number, proposed] = report;

@@ -126,7 +126,8 @@ struct State {
     std::vector<int> faults;               ///< 0 to come, 1 there, 2 gone
     std::vector<std::int64_t> fault_since; ///< when its condition first held; -1: it has not
     std::vector<Mark> marks;
-    std::vector<std::int64_t> held; ///< since when a condition has held; -1: it does not
+    std::vector<std::int64_t> held;  ///< since when a condition has held; -1: it does not
+    std::vector<std::int64_t> hints; ///< when each was given; -1: it was not
     std::vector<Heard> heard;
     std::vector<JudgedReport> judged; ///< by when they were judged
     std::array<Growth, 2> growth{};   ///< port, starboard

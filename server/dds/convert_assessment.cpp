@@ -40,6 +40,8 @@ void convert(const assess::Result& from, Assessment& to) {
     to_wire(from.criteria, to.criteria());
     to_wire(from.orders, to.orders());
     to_wire(from.reports, to.reports());
+    to.practice(from.practice);
+    to_wire(from.hints, to.hints());
     for (std::size_t k = 0; k < to.reports().size(); ++k) {
         to.reports()[k].timed(from.reports[k].delay.has_value());
         to.reports()[k].figure(from.reports[k].truth.has_value());

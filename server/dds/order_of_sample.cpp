@@ -31,6 +31,7 @@ run::OrderContent order(const ExerciseCommand& sample) {
     case EXERCISE_LOAD:
         run.action = run::RunAction::load;
         run.exercise = sample.exercise().to_string();
+        run.practice = sample.practice();
         break;
     case EXERCISE_PAUSE:
         run.action = run::RunAction::pause;

@@ -16,6 +16,7 @@ constexpr double kIdleRate = 5;       // Hz, of an exercise that stands still
 constexpr double kStatusPeriod = 0.2; // s of wall time
 constexpr std::size_t kFrames = 16;   // a quarter of a second behind at 60 Hz
 constexpr std::size_t kEvents = 4096;
+constexpr std::size_t kInstructions = 256; // a lesson has 32 hints, and some dozens of pieces of briefings
 constexpr std::size_t kAlerts = 256;
 constexpr std::size_t kBridgeOrders = 256; // as many as an exercise keeps
 constexpr std::size_t kCheckpoints = 4;
@@ -75,6 +76,8 @@ Writers::Writers(wire::Participant& participant)
       camera(participant, wire::topics::forecastle_camera),
       bridge(participant, wire::topics::bridge_view),
       seat_event(participant, wire::topics::seat_event),
+      forecastle_instruction(participant, wire::topics::forecastle_instruction),
+      bridge_instruction(participant, wire::topics::bridge_instruction),
       bridge_order(participant, wire::topics::bridge_order),
       scene(participant, wire::topics::scene_description),
       seabed(participant, wire::topics::seabed_description),
@@ -97,6 +100,8 @@ Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
       alerts_(kAlerts),
       server_alerts_(kAlerts),
       seat_events_(kEvents),
+      forecastle_instructions_(kInstructions),
+      bridge_instructions_(kInstructions),
       bridge_orders_(kBridgeOrders),
       seas_(kSeas),
       checkpoints_(kCheckpoints),
@@ -222,13 +227,22 @@ void Publisher::take_marks_back() {
 void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
                       const run::RunStatus& run) {
     offer(event);
-    if (seat_event_run_ != run.run) seat_event_run_ = run.run, seat_event_number_ = 0;
+    if (seat_event_run_ != run.run) {
+        seat_event_run_ = run.run;
+        seat_event_number_ = 0;
+        instruction_number_ = {};
+    }
     auto noticed = perceive::perceive_event(event, seen);
     if (!noticed) return;
-    noticed->number(++seat_event_number_);
-    if (SeatEvent* slot = seat_events_.free_slot()) {
+    const auto [ring, number] = [&]() -> std::pair<SpscRing<SeatEvent>&, std::uint64_t&> {
+        if (!perceive::is_instruction(event)) return {seat_events_, seat_event_number_};
+        if (noticed->forecastle()) return {forecastle_instructions_, instruction_number_[0]};
+        return {bridge_instructions_, instruction_number_[1]};
+    }();
+    noticed->number(++number);
+    if (SeatEvent* slot = ring.free_slot()) {
         *slot = std::move(*noticed);
-        seat_events_.push();
+        ring.push();
         pool_.ring(*this);
     } else {
         ++dropped_;
@@ -295,7 +309,8 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
         return std::max(std::chrono::milliseconds(0), std::chrono::duration_cast<std::chrono::milliseconds>(
                                                           end - std::chrono::steady_clock::now()));
     };
-    while (!(outputs_.empty() && events_.empty() && seat_events_.empty() && alerts_.empty() &&
+    while (!(outputs_.empty() && events_.empty() && seat_events_.empty() &&
+             forecastle_instructions_.empty() && bridge_instructions_.empty() && alerts_.empty() &&
              server_alerts_.empty() && bridge_orders_.empty() && seas_.empty() && checkpoints_.empty() &&
              orders_.empty() && assessments_.empty() && seat_assessments_.empty()) &&
            left().count() > 0) {
@@ -305,6 +320,8 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     writers_.status.wait_acknowledged(left());
     writers_.event.wait_acknowledged(left());
     writers_.seat_event.wait_acknowledged(left());
+    writers_.forecastle_instruction.wait_acknowledged(left());
+    writers_.bridge_instruction.wait_acknowledged(left());
     writers_.alert.wait_acknowledged(left());
     writers_.server_alert.wait_acknowledged(left());
     writers_.bridge_order.wait_acknowledged(left());
@@ -326,6 +343,8 @@ bool Publisher::write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& write
 void Publisher::write_waiting() {
     for (;;) {
         if (write_oldest(events_, writers_.event) || write_oldest(seat_events_, writers_.seat_event) ||
+            write_oldest(forecastle_instructions_, writers_.forecastle_instruction) ||
+            write_oldest(bridge_instructions_, writers_.bridge_instruction) ||
             write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
             write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||
             write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint) ||

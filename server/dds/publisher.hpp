@@ -36,7 +36,7 @@ struct Writers {
     wire::Writer<LightsAndShapes> lights_and_shapes;
     wire::Writer<ForecastleView> forecastle, camera;
     wire::Writer<BridgeView> bridge;
-    wire::Writer<SeatEvent> seat_event;
+    wire::Writer<SeatEvent> seat_event, forecastle_instruction, bridge_instruction;
     wire::Writer<BridgeOrder> bridge_order;
     wire::Writer<SceneDescription> scene;
     wire::Writer<SeabedDescription> seabed;
@@ -139,7 +139,9 @@ private:
     perceive::SeatAids aids_;
     perceive::SeatShip seat_ship_;
     bool seats_have_marks_ = false;
-    std::uint64_t seat_event_number_ = 0, seat_event_run_ = 0;
+    std::uint64_t seat_event_run_ = 0;
+    std::uint64_t seat_event_number_ = 0;               ///< of that run
+    std::array<std::uint64_t, 2> instruction_number_{}; ///< the same: forecastle, bridge
     std::uint64_t orders_run_ = 0,
                   order_tick_ = 0; // whose bridge orders have been handed over, and up to when
 
@@ -157,7 +159,7 @@ private:
     SpscRing<Output> outputs_;
     SpscRing<Event> events_;
     SpscRing<Alert> alerts_, server_alerts_;
-    SpscRing<SeatEvent> seat_events_;
+    SpscRing<SeatEvent> seat_events_, forecastle_instructions_, bridge_instructions_;
     SpscRing<BridgeOrder> bridge_orders_;
     SpscRing<SeaState> seas_;
     SpscRing<Checkpoint> checkpoints_;

@@ -2,6 +2,7 @@
 
 #include "common/text.hpp"
 #include "server/dds/convert.hpp"
+#include "server/run/briefing.hpp"
 #include "words/words.hpp"
 
 #include <spdlog/spdlog.h>
@@ -225,7 +226,8 @@ void Classroom::create() {
     try {
         if (!done.reading.done())
             throw std::runtime_error(fmt::format("read within {:g} s", run::kReadingTime));
-        const auto def = done.reading.def.get();
+        auto def = done.reading.def.get();
+        if (order.practice()) run::put_to_practice(def);
         host_.open(id, def, source_.options(order.wait()));
         log("classroom.created", fmt::format("exercise {} ({}) created by {}", id, def.name, source));
     } catch (const std::exception& error) { // a definition that cannot be used, or no room for it

@@ -54,4 +54,7 @@ void perceive_lights_and_shapes(const exercise::Snapshot& from, LightsAndShapes&
 std::optional<SeatEvent> perceive_event(const exercise::ExerciseEvent& event,
                                         const exercise::Snapshot& snapshot);
 
+/// Whether the event is told to one seat alone, and so on that seat's topic: its briefing, its hints.
+bool is_instruction(const exercise::ExerciseEvent& event);
+
 } // namespace windlass::perceive

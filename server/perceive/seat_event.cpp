@@ -53,12 +53,18 @@ bool noticed(words::Notice when, bool Orders::*seat, const exercise::ExerciseEve
             return own.*seat && own.topic == refused_topic(event.text);
         });
     case words::Notice::always:
+    case words::Notice::alone:
         return true;
     }
     return false;
 }
 
 } // namespace
+
+bool is_instruction(const exercise::ExerciseEvent& event) {
+    const words::Event* row = words::find_event(event.code);
+    return row != nullptr && (row->forecastle == words::Notice::alone || row->bridge == words::Notice::alone);
+}
 
 std::optional<SeatEvent> perceive_event(const exercise::ExerciseEvent& event,
                                         const exercise::Snapshot& snapshot) {

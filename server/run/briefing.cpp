@@ -3,6 +3,7 @@
 #include "common/text.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string_view>
 
 namespace windlass::run {
@@ -18,14 +19,7 @@ std::string_view first_piece(std::string_view text) {
     return space == std::string_view::npos || space == 0 ? clipped(text, kPiece) : text.substr(0, space);
 }
 
-} // namespace
-
-std::vector<std::string> briefing_pieces(const assess::Lesson& lesson) {
-    std::string whole = lesson.briefing + (lesson.briefing.empty() ? "" : " ") +
-                        (lesson.bridge_manned ? "The bridge's orders come from its own seat."
-                                              : "The bridge's orders come by themselves.");
-    if (whole.find("shackle") != std::string::npos)
-        whole += " Where no other place is said, shackles are counted in the pipe.";
+std::vector<std::string> pieces_of(std::string whole) {
     std::ranges::replace(whole, '\n', ' ');
     whole = printable(whole);
     std::vector<std::string> pieces;
@@ -36,6 +30,30 @@ std::vector<std::string> briefing_pieces(const assess::Lesson& lesson) {
         if (left.starts_with(' ')) left.remove_prefix(1);
     }
     return pieces;
+}
+
+} // namespace
+
+std::vector<std::string> briefing_pieces(const assess::Lesson& lesson) {
+    std::string whole = lesson.briefing + (lesson.briefing.empty() ? "" : " ") +
+                        (lesson.bridge_manned ? "The bridge's orders come from its own seat."
+                                              : "The bridge's orders come by themselves.");
+    if (whole.find("shackle") != std::string::npos)
+        whole += " Where no other place is said, shackles are counted in the pipe.";
+    if (lesson.practice)
+        whole += " This attempt is for practice: you may be given a hint, and it is no test of competence.";
+    return pieces_of(std::move(whole));
+}
+
+std::array<std::vector<std::string>, 2> own_briefing_pieces(const assess::Lesson& lesson) {
+    return {pieces_of(lesson.briefings[0]), pieces_of(lesson.briefings[1])};
+}
+
+void put_to_practice(exercise::ExerciseDef& def) {
+    if (def.lesson.empty())
+        throw std::invalid_argument("for practice: " + def.name +
+                                    " has no lesson; name an exercise that has one, or leave practice out");
+    def.lesson = assess::for_practice(def.lesson);
 }
 
 std::string lesson_over_text(assess::Ending ending) {

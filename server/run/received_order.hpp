@@ -17,6 +17,7 @@ enum class RunAction { load, start, pause, reset, time_scale, stop, snapshot, re
 struct RunOrder {
     RunAction action = RunAction::start;
     std::string exercise;    ///< load: file name under the exercise folder
+    bool practice = false;   ///< load: its lesson is played for practice
     double time_scale = 1;   ///< time_scale: exercise seconds per wall second, 0 = as fast as possible
     double restore_time = 0; ///< restore: s of exercise, of the last checkpoint up to then
     std::string text;        ///< bookmark: a word for it

@@ -136,12 +136,28 @@ void Session::set_up() {
 
 /// Tells the trainees what their lesson is about, a piece in each event, and whether it is over already.
 void Session::brief() {
+    brief_each_seat();
     if (assessor_.lesson() == nullptr) return;
     int number = 0;
     for (std::string& piece : briefing_pieces(*assessor_.lesson()))
         log("exercise.briefing", std::move(piece), -1, ++number);
     lesson_over_told_ = false;
     tell_when_the_lesson_is_over();
+}
+
+/// What one seat alone is told. Whoever joins late hears what was told in earlier runs, too: so a seat that
+/// has been told anything, and has no briefing of its own now, is told that.
+void Session::brief_each_seat() {
+    constexpr std::array<words::EventCode, 2> kCodes{"briefing.forecastle", "briefing.bridge"};
+    std::array<std::vector<std::string>, 2> pieces;
+    if (assessor_.lesson() != nullptr) pieces = own_briefing_pieces(*assessor_.lesson());
+    for (std::size_t seat = 0; seat < kCodes.size(); ++seat) {
+        int number = 0;
+        for (std::string& piece : pieces.at(seat))
+            log(kCodes.at(seat), std::move(piece), -1, ++number);
+        if (number == 0 && instructed_.at(seat)) log(kCodes.at(seat), "nothing for this seat alone");
+        instructed_.at(seat) = number > 0;
+    }
 }
 
 Limits Session::limits() const {

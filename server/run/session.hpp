@@ -146,11 +146,13 @@ private:
     void go_on_from(Kept kept);
     void begin_after_loss();
     void assess();
+    void tell_hints();
     void tell_when_the_lesson_is_over();
     void close_assessment(const std::string& reason);
     bool judged(const exercise::AssessorsWord& word, const std::string& source);
     void set_up();
     void brief();
+    void brief_each_seat();
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
                 std::string allowed);
     void keep_events();
@@ -188,6 +190,7 @@ private:
     std::vector<OrderView> orders_;
     std::vector<exercise::Order> due_; // by the lesson, of one tick
     std::optional<assess::Result> new_assessment_;
+    std::array<bool, 2> instructed_{};  // forecastle, bridge: something was told to it alone
     bool lesson_over_told_ = false;     // to the seats, of this run
     std::uint64_t orders_taken_ = 0;    // of this run
     bool outside_watch_circle_ = false; // an alert says so
@@ -200,6 +203,7 @@ private:
     /// A LOAD whose file is being read, or a RESET whose prelude is being played.
     struct Loading {
         std::string name, source;
+        bool practice = false; ///< its lesson is played for practice
         bool reset = false;
         Reading file;
         double since = 0; ///< wall time

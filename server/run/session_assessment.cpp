@@ -17,6 +17,7 @@ void Session::assess() {
     assessor_.fold(snapshot_, due_);
     for (const exercise::Order& order : due_)
         apply(order, kServerName);
+    tell_hints();
     if (!due_.empty()) look(); // before a checkpoint is taken, which has these orders in it
     const auto second = static_cast<std::uint64_t>(def().tick_rate_hz);
     const bool just_over = assessor_.ended() && !was_over;
@@ -27,6 +28,18 @@ void Session::assess() {
                         0.1 * new_assessment_->tenths, assess::outcome_name(new_assessment_->outcome)),
             -1, 0.1 * new_assessment_->tenths);
     tell_when_the_lesson_is_over();
+}
+
+/// Those that were given at this tick, each to its seat.
+void Session::tell_hints() {
+    const assess::Lesson& lesson = *assessor_.lesson();
+    for (std::size_t k = 0; k < lesson.hints.size(); ++k) {
+        if (assessor_.state().hints[k] != static_cast<std::int64_t>(tick_)) continue;
+        const assess::Hint& hint = lesson.hints[k];
+        instructed_.at(hint.forecastle ? 0 : 1) = true;
+        log(hint.forecastle ? words::EventCode("hint.forecastle") : words::EventCode("hint.bridge"), hint.say,
+            hint.side);
+    }
 }
 
 /// Once in a run, to the seats: its marks go out on topics of their own.

@@ -4,6 +4,7 @@
 
 #include "common/text.hpp"
 #include "server/exercise/prelude.hpp"
+#include "server/run/briefing.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -15,7 +16,12 @@ constexpr const char* kReading = "exercise.reading";
 } // namespace
 
 void Session::begin_load(const RunOrder& order, const std::string& source) {
-    loading_ = {.name = order.exercise, .source = source, .reset = false, .file = {}, .since = now_};
+    loading_ = {.name = order.exercise,
+                .source = source,
+                .practice = order.practice,
+                .reset = false,
+                .file = {},
+                .since = now_};
     if (!options_.load) return;
     loading_->file = options_.load(order.exercise);
     tell_reading();
@@ -34,6 +40,7 @@ void Session::reset(const std::string& source) {
     if (exercise::anchored_by(again) != nullptr && !again.settled && options_.prepare) {
         loading_ = {.name = again.name,
                     .source = source,
+                    .practice = false, // its definition says so
                     .reset = true,
                     .file = options_.prepare(again),
                     .since = now_};
@@ -62,7 +69,9 @@ void Session::answer_load() {
         if (!done.file.def.valid()) throw std::runtime_error("this server has no exercise folder");
         if (!done.file.done())
             throw std::runtime_error(fmt::format("a file that can be read within {:g} s", kReadingTime));
-        exercise_ = exercise::Exercise(done.file.def.get());
+        exercise::ExerciseDef def = done.file.def.get();
+        if (done.practice) put_to_practice(def);
+        exercise_ = exercise::Exercise(def);
         set_up();
         if (done.reset)
             log("exercise.reset", "exercise reset by " + done.source);

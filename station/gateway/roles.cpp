@@ -25,10 +25,11 @@ Topics seat_hears(Seat seat) {
                 &topics::instructor_windlass_command,
                 &topics::helm_command,
                 &topics::instructor_helm_command};
-    if (on_forecastle(seat)) list.push_back(&topics::forecastle_view);
+    if (on_forecastle(seat))
+        list.insert(list.end(), {&topics::forecastle_view, &topics::forecastle_instruction});
     if (on_bridge(seat))
-        list.insert(list.end(),
-                    {&topics::bridge_view, &topics::forecastle_camera, &topics::chart, &topics::report});
+        list.insert(list.end(), {&topics::bridge_view, &topics::bridge_instruction,
+                                 &topics::forecastle_camera, &topics::chart, &topics::report});
     return list;
 }
 

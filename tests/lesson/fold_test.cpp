@@ -361,6 +361,48 @@ TEST(Assessment, ProhibitedActIsProhibitedOnce) {
     EXPECT_EQ(course.mark().milli, 0);
 }
 
+namespace {
+const std::string kHinted =
+    lesson(R"({"id": "stops", "kind": "prohibited", "that": {"cable_speed": {"above": 3}}})",
+           R"(, "hints": [{"id": "runs", "criterion": "stops", "say": "Check her.",
+    "when": {"moment": "bottom", "cable_speed": {"above": 1}, "for": 1}}, {"id": "bell", "seat": "bridge",
+    "when": {"moment": "bottom", "since": 9, "side": "port"}, "say": "Ring it."}])");
+
+/// She runs after the bottom, twice.
+void run_twice(Course& course) {
+    course.event("anchor.on_bottom");
+    course.windlass().cable_speed = 2;
+    course.run(2);
+    course.windlass().cable_speed = 0;
+    course.run(1);
+    course.windlass().cable_speed = 2;
+    course.run(2);
+}
+} // namespace
+
+TEST(Assessment, AHintIsToldOnceInPracticeAndNeverInATest) {
+    Course practice(for_practice(kHinted));
+    run_twice(practice);
+    practice.run(6);
+    const Result told = practice.now();
+    EXPECT_TRUE(told.practice);
+    ASSERT_EQ(told.hints.size(), 2U);
+    EXPECT_EQ(told.hints[0].id, "runs");
+    EXPECT_EQ(told.hints[0].criterion, "stops");
+    EXPECT_EQ(told.hints[0].text, "Check her.");
+    EXPECT_TRUE(told.hints[0].forecastle);
+    EXPECT_EQ(told.hints[0].tick, 11U) << "of 10 a second, from the first on";
+    EXPECT_FALSE(told.hints[1].forecastle);
+
+    Course test(kHinted);
+    run_twice(test);
+    test.run(6);
+    EXPECT_FALSE(test.now().practice);
+    EXPECT_TRUE(test.now().hints.empty());
+    EXPECT_EQ(test.now().lesson_hash, told.lesson_hash) << "it is one lesson";
+    EXPECT_EQ(test.mark().milli, practice.mark().milli) << "a hint costs nothing";
+}
+
 TEST(Assessment, LessonGivesItsOrdersInTheirSequence) {
     Course course(lesson(
         R"({"id": "o", "kind": "order", "orders": ["in", "out"]})",

@@ -110,6 +110,21 @@ TEST(Events, WhatIsSaidAndWhoHasWhatIsForBoth) {
     EXPECT_TRUE(perceive_event(event("watch.circle"), riding())->bridge());
 }
 
+TEST(Events, WhatIsToldToOneSeatAloneIsNoEventOfBoth) {
+    for (const words::Event& row : rows()) {
+        const bool alone = row.forecastle == words::Notice::alone || row.bridge == words::Notice::alone;
+        const auto told = event(std::string(row.name));
+        EXPECT_EQ(is_instruction(told), alone) << row.name;
+        if (!alone) continue;
+        const auto seen = perceive_event(told, riding());
+        ASSERT_TRUE(seen) << row.name;
+        EXPECT_NE(seen->forecastle(), seen->bridge()) << row.name << ": it is told to one of them";
+        EXPECT_EQ(seen->forecastle(), row.name.ends_with(".forecastle")) << row.name;
+    }
+    for (const char* code : {"briefing.forecastle", "briefing.bridge", "hint.forecastle", "hint.bridge"})
+        EXPECT_TRUE(is_instruction(event(code))) << code;
+}
+
 TEST(Events, WhoIsNotHeardIsToldAndTheOtherSeatIsNot) {
     const auto order = perceive_event(event("order.not_heard"), riding());
     ASSERT_TRUE(order);

@@ -143,6 +143,38 @@ TEST(DebriefTest, PointsLostAreTheShareOfTheCriteriaInPlay) {
     EXPECT_EQ(judgement.strongest(3)[0].criterion->code(), "clutch");
 }
 
+TEST(DebriefTest, PracticeSaysSoWithItsHintsAndPassesAndFailsNobody) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    EXPECT_EQ(practice_words(attempt), "");
+    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("practice")));
+    attempt.assessment->practice(true);
+    EXPECT_EQ(practice_words(attempt), "for practice, 0 hints");
+    HintGiven hint;
+    hint.tick(attempt.assessment->criteria()[1].tick());
+    hint.id("too-fast");
+    hint.criterion("fall");
+    hint.forecastle(true);
+    hint.text("She runs too fast.");
+    attempt.assessment->hints({hint});
+    const std::string page = page_of(attempt, {});
+    EXPECT_THAT(page, HasSubstr("for practice, 1 hint: it is no test of competence"));
+    EXPECT_THAT(page, HasSubstr("She runs too fast."));
+    EXPECT_THAT(page, HasSubstr("(hinted)"));
+    EXPECT_TRUE(was_hinted(attempt, attempt.assessment->criteria()[1]));
+    EXPECT_FALSE(was_hinted(attempt, attempt.assessment->criteria()[0]));
+    std::vector<std::string> verbs;
+    for (const auto& each : xapi_of(attempt, {"https://school.example/accounts", "trainee-17"})) {
+        const std::string verb = each["verb"]["id"];
+        verbs.push_back(verb.substr(verb.rfind('/') + 1));
+        if (verbs.back() != "experienced") continue;
+        EXPECT_EQ(each["result"]["response"], "for practice, 1 hint");
+        EXPECT_FALSE(each["result"].contains("success"));
+        EXPECT_EQ(each["result"]["extensions"]["urn:windlass:extension:hints"], 1);
+    }
+    EXPECT_THAT(verbs, ElementsAre("initialized", "completed", "experienced", "terminated"));
+}
+
 TEST(DebriefTest, WhatWouldHaveKeptALostPointStandsBesideItWithTheMomentBefore) {
     const Folder folder;
     const Attempt attempt = attempt_of(folder);

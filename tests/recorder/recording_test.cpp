@@ -162,17 +162,17 @@ TEST(RecordingTest, OfAnotherVersionOfTheWireIsRefusedAtOnceWithBothVersions) {
     EXPECT_EQ(
         refusal(folder / "monday"),
         (folder / "monday").string() +
-            " is of version 1 of the wire, this program of version 6: use the programs of version 1, or "
+            " is of version 1 of the wire, this program of version 7: use the programs of version 1, or "
             "any MCAP reader, since the file has its types with it");
-    make_file(folder / "7.mcap", "windlass::v7::ShipState", {{"recording", "x"}, {"wire_version", "7"}});
-    EXPECT_THAT(refusal(folder / "7.mcap"), HasSubstr("7.mcap is of version 7 of the wire"));
+    make_file(folder / "8.mcap", "windlass::v8::ShipState", {{"recording", "x"}, {"wire_version", "8"}});
+    EXPECT_THAT(refusal(folder / "8.mcap"), HasSubstr("8.mcap is of version 8 of the wire"));
     // Whoever wrote it, and however little of it is left.
     make_file(folder / "foreign.mcap", "windlass::ShipState", {});
     EXPECT_THAT(refusal(folder / "foreign.mcap"), HasSubstr("is of version 1 of the wire"));
     make_file(folder / "cut.mcap", "windlass::ShipState", {{"recording", "x"}}, 110);
     EXPECT_THAT(refusal(folder / "cut.mcap"), HasSubstr("is of version 1 of the wire"));
-    make_file(folder / "6.mcap", "windlass::v6::ShipState", {{"recording", "x"}, {"wire_version", "6"}});
-    EXPECT_EQ(refusal(folder / "6.mcap"), "none");
+    make_file(folder / "7.mcap", "windlass::v7::ShipState", {{"recording", "x"}, {"wire_version", "7"}});
+    EXPECT_EQ(refusal(folder / "7.mcap"), "none");
     make_file(folder / "theirs.mcap", "their::ShipState", {});
     EXPECT_EQ(refusal(folder / "theirs.mcap"), "none") << "nothing of ours: it says nothing of a version";
 }
@@ -184,9 +184,9 @@ TEST(TapeTest, SaysWhichVersionOfTheWireItIs) {
     tape.close({});
     Recording recording({folder / "r"});
     const auto& file = *recording.files()[0];
-    EXPECT_EQ(file.metadata().at(0).entries.at("wire_version"), "6");
+    EXPECT_EQ(file.metadata().at(0).entries.at("wire_version"), "7");
     ASSERT_EQ(file.schemas().size(), 1U);
-    EXPECT_EQ(file.schemas().begin()->second.name, "windlass::v6::WindlassCommand")
+    EXPECT_EQ(file.schemas().begin()->second.name, "windlass::v7::WindlassCommand")
         << "its type's, not its own";
     EXPECT_EQ(file.channels().begin()->second.topic, "InstructorWindlassCommand");
 }
@@ -254,7 +254,7 @@ TEST(FiguresTest, CountRatesGapsLossesAndLatencies) {
     const auto figures = figures_of(recording);
     ASSERT_THAT(figures.topics, SizeIs(1));
     const auto& topic = figures.topics[0];
-    EXPECT_EQ(topic.type, "windlass::v6::ShipState");
+    EXPECT_EQ(topic.type, "windlass::v7::ShipState");
     EXPECT_EQ(topic.messages, 570U);
     EXPECT_EQ(topic.lost, 30U);
     EXPECT_NEAR(topic.rate(), 569 / (599 / 60.0), 1e-6);

@@ -4,6 +4,8 @@
 
 #include "tests/run/session_rig.hpp"
 
+#include <future>
+
 namespace windlass::run::test {
 namespace {
 
@@ -78,6 +80,88 @@ TEST_F(BriefingOfASession, IsToldAtTheSetUpAndAfterARestore) {
     session.clear_news();
     give(session, run_order(RunAction::reset));
     EXPECT_EQ(count(session, "exercise.briefing"), 1);
+}
+
+class OneSeatAlone : public SessionTest {
+protected:
+    static exercise::ExerciseDef def(const std::string& more = {}) {
+        exercise::ExerciseDef def;
+        def.lesson =
+            "{" + more +
+            R"("id": "T", "hints": [{"id": "h", "when": {"time": 0.1, "cable_speed": {"below": 99}}, "say": "Ease it."}, )"
+            R"({"id": "b", "seat": "bridge", "when": {"time": 0.2, "cable_speed": {"below": 99}}, "say": "Ring it."}], )"
+            R"("criteria": [{"id": "p", "kind": "prohibited", "that": {"clutch": "in"}}]})";
+        return def;
+    }
+    static constexpr const char* kOwn = R"("briefings": {"forecastle": "One shackle.", "bridge": "Two."}, )";
+
+    /// Codes and times of the hints from now on.
+    static std::vector<std::pair<std::string, std::uint64_t>> hints(Session& session, int ticks) {
+        std::vector<std::pair<std::string, std::uint64_t>> all;
+        for (int i = 0; i < ticks; ++i) {
+            session.tick();
+            for (const auto& event : session.events())
+                if (event.code.starts_with("hint.")) all.emplace_back(event.code, event.tick);
+            session.clear_news();
+        }
+        return all;
+    }
+};
+
+TEST_F(OneSeatAlone, IsToldItsOwnBriefingAndThatThereIsNoneAnyMore) {
+    SessionOptions options = this->options();
+    options.load = [](const std::string&) {
+        std::promise<exercise::ExerciseDef> read;
+        read.set_value(def());
+        return Reading{.def = read.get_future(), .in_hand = {}};
+    };
+    Session session(def(kOwn), options);
+    EXPECT_EQ(text_of(session, "briefing.forecastle"), "One shackle.");
+    EXPECT_EQ(text_of(session, "briefing.bridge"), "Two.");
+    EXPECT_EQ(text_of(session, "exercise.briefing"), "The bridge's orders come by themselves.");
+    for (const int again : {1, 0}) {
+        session.clear_news();
+        give(session, run_order(RunAction::load));
+        EXPECT_EQ(count(session, "briefing.forecastle"), again);
+        EXPECT_EQ(text_of(session, "briefing.bridge"), again == 1 ? "nothing for this seat alone" : "");
+    }
+}
+
+TEST_F(OneSeatAlone, HasItsHintsInPracticeAloneAndTheSameAfterARestore) {
+    Session test(def(), options());
+    give(test, levers(1));
+    EXPECT_TRUE(hints(test, 300).empty());
+
+    exercise::ExerciseDef practice = def();
+    put_to_practice(practice);
+    Session session(practice, options());
+    give(session, levers(1));
+    EXPECT_TRUE(text_of(session, "exercise.briefing").ends_with("it is no test of competence."));
+    const auto first = hints(session, 45);
+    ASSERT_EQ(first.size(), 1U);
+    EXPECT_EQ(first[0].first, "hint.forecastle");
+    session.take_checkpoint_now();
+    const auto second = hints(session, 60);
+    ASSERT_EQ(second.size(), 1U) << "each once";
+    EXPECT_EQ(second[0].first, "hint.bridge");
+    const auto hash = session.assessor().result().assessment_hash;
+
+    RunOrder back = run_order(RunAction::restore);
+    back.restore_time = session.now_time();
+    give(session, back);
+    EXPECT_EQ(session.assessor().result().hints.size(), 1U);
+    give(session, run_order(RunAction::start));
+    EXPECT_EQ(hints(session, 60), second);
+    EXPECT_EQ(session.assessor().result().assessment_hash, hash);
+
+    give(session, run_order(RunAction::reset));
+    EXPECT_TRUE(session.assessor().lesson()->practice) << "it is for practice until another is loaded";
+}
+
+TEST_F(OneSeatAlone, IsNotPutToPracticeWithoutALesson) {
+    exercise::ExerciseDef none;
+    none.name = "bare";
+    EXPECT_THROW(put_to_practice(none), std::invalid_argument);
 }
 
 class EndOfALesson : public SessionTest {

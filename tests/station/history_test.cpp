@@ -126,6 +126,21 @@ TEST_F(HistoryTest, AConfirmedScoreStandsBesideTheComputedOne) {
     EXPECT_THAT(history.csv(false), HasSubstr(",66.0,80.5,achieved,not_yet,"));
 }
 
+TEST_F(HistoryTest, PracticeStandsThereAsPracticeAndIsNoTest) {
+    auto of = attempt("monday");
+    of.assessment->practice(true);
+    of.assessment->outcome("achieved");
+    of.assessment->hints().resize(2);
+    History history(file());
+    const std::string id = history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "monday");
+    ASSERT_THAT(history.list(), SizeIs(1));
+    EXPECT_EQ(history.list()[0].outcome, "practice");
+    EXPECT_EQ(history.list()[0].hints, 2);
+    EXPECT_THAT(history.csv(false), HasSubstr(",practice,achieved,"));
+    EXPECT_THROW(history.confirm(id, {.by = "Ann", .outcome = "achieved", .note = "seen it all"}, ""),
+                 std::invalid_argument);
+}
+
 // The pass is 70: points and outcome that stand together do not contradict each other unless somebody says
 // both.
 TEST_F(HistoryTest, OutcomeFollowsFromAConfirmedScore) {
@@ -223,6 +238,7 @@ PRAGMA user_version = 1;)");
     EXPECT_EQ(listed[0].confirmed_by, "");
     EXPECT_EQ(listed[1].confirmed_by, "Ann");
     EXPECT_EQ(listed[1].score, 750);
+    EXPECT_EQ(listed[1].outcome, "achieved") << "of a time when every attempt was a test";
     EXPECT_THROW(history.confirm("a2", {.by = "Ann", .score = 60, .note = "seen once more"}, ""),
                  std::invalid_argument)
         << "its pass is not known";

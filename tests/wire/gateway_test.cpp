@@ -140,7 +140,7 @@ TEST_F(Gateway, AForecastleHearsNoTruthAndNoneOfWhatIsNotItsOwn) {
                                     "ReplayStatus",    "ForecastleView",
                                     "WindlassCommand", "InstructorWindlassCommand",
                                     "HelmCommand",     "InstructorHelmCommand",
-                                    "ClassroomStatus"};
+                                    "ClassroomStatus", "ForecastleInstruction"};
     for (const auto& [number, name] : page.channels())
         EXPECT_TRUE(own.contains(name)) << name << " is advertised";
     for (const std::string& name : page.heard())

@@ -148,10 +148,12 @@ Names with(Names names, std::initializer_list<std::string> more) {
 
 TEST(Security, TraineeHearsWhatItsSeatsAreGivenAndNothingElse) {
     EXPECT_EQ(hears("trainee", "exercise/default"),
-              with(kSeen, {"ForecastleView", "BridgeView", "ForecastleCamera", "Chart", "Report"}));
-    EXPECT_EQ(hears("forecastle", "exercise/default"), with(kSeen, {"ForecastleView"}));
+              with(kSeen, {"ForecastleView", "ForecastleInstruction", "BridgeView", "BridgeInstruction",
+                           "ForecastleCamera", "Chart", "Report"}));
+    EXPECT_EQ(hears("forecastle", "exercise/default"),
+              with(kSeen, {"ForecastleView", "ForecastleInstruction"}));
     EXPECT_EQ(hears("conning", "exercise/default"),
-              with(kSeen, {"BridgeView", "ForecastleCamera", "Chart", "Report"}));
+              with(kSeen, {"BridgeView", "BridgeInstruction", "ForecastleCamera", "Chart", "Report"}));
 }
 
 TEST(Security, TraineeReadsEverythingInADebriefAndNotInAnExercise) {
@@ -409,6 +411,11 @@ TEST(Roles, CoverTheTopicTable) {
             EXPECT_FALSE(may[seat].contains(topic)) << seat << " " << topic;
             EXPECT_TRUE(debrief[seat].contains(topic)) << seat << " " << topic;
         }
+    for (const auto& [other, topic] : {std::pair("conning read", "ForecastleInstruction"),
+                                       std::pair("forecastle read", "BridgeInstruction")}) {
+        EXPECT_FALSE(may[other].contains(topic)) << "what is told to one seat alone";
+        EXPECT_TRUE(debrief[other].contains(topic)) << topic;
+    }
     for (const char* topic :
          {"InstructorWindlassCommand", "InstructorHelmCommand", "EnvironmentCommand", "FaultCommand",
           "ExerciseCommand", "RestoreCommand", "AssessmentCommand", "ReplayCommand"})

@@ -4,6 +4,7 @@ import "./bridge.css";
 
 import { reportAloud } from "../kit/aloud";
 import { Briefing } from "../kit/briefing";
+import { HintLine } from "../kit/instructions";
 import { h, setAttribute } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
@@ -67,13 +68,15 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
     (bearing) => chart.layBearing(bearing, bridgeEye(link.latest("SceneDescription")?.length_overall ?? 0)),
   );
   plan.append(h("button", { class: "plain to-view", type: "button", onclick: () => look(true) }, t("Look out")));
+  const orders = new OrderPanel(link, line).element;
+  orders.prepend(new HintLine(link, "bridge").element);
   page.root.classList.add("bridge");
   page.root.append(
     instruments.element,
     plan,
     view.element,
     h("div", { class: "hands" }, telegraph.element, wheel.element, thrusters.element),
-    besidePlan(new OrderPanel(link, line).element, h("div", { class: "watch-tab" }, shown, watch.element), beside),
+    besidePlan(orders, h("div", { class: "watch-tab" }, shown, watch.element), beside),
   );
   document.body.append(help, briefing.element, marks.element);
   page.topBar.element.after(briefing.lessonOver);

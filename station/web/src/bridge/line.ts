@@ -33,7 +33,7 @@ const kReports = 200;
 const kFresh = 5; // s of exercise time
 
 /** What the line is told beside orders and reports: that nothing came back, the bell, and what the bridge notices. */
-const kOfTheLine = new Set(["order.not_heard", "report.bell"]);
+const kOfTheLine = new Set(["order.not_heard", "report.bell", "hint.bridge"]);
 const isNotice = (event: SeatEvent): boolean =>
   event.bridge &&
   (kOfTheLine.has(event.code) ||
@@ -62,6 +62,7 @@ export class Line {
     link.on("Report", (report) => this.hear(report));
     link.on("BridgeOrder", () => this.tell());
     link.on("SeatEvent", (event) => this.notice(event));
+    link.on("BridgeInstruction", (event) => event.code === "hint.bridge" && this.notice(event));
     link.on("BridgeView", () => {
       if (this.works() === this.worked) return;
       this.worked = this.works();
@@ -136,7 +137,10 @@ export class Line {
     if (begins(event)) {
       leave(this.reports, event);
       leave(this.notices, event);
-    } else if (isNotice(event) && !this.notices.some((n) => n.number === event.number && n.time === event.time))
+    } else if (
+      isNotice(event) &&
+      !this.notices.some((n) => n.number === event.number && n.time === event.time && n.code === event.code)
+    )
       this.notices = [...this.notices, { ...event, left: false }].slice(-kReports);
     else return;
     this.tell();

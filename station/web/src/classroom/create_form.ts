@@ -30,6 +30,7 @@ export class CreateForm {
   });
   /** The server that was chosen; empty: none was. */
   private byHand = "";
+  private readonly practice = h("input", { type: "checkbox" });
   private readonly wait = h("input", { type: "checkbox", checked: true });
 
   /** give: sends a ClassroomCommand, true when it went out; say: tells what cannot be sent. */
@@ -45,6 +46,7 @@ export class CreateForm {
       this.id,
       this.file,
       h("label", { class: "definition" }, h("span", { class: "quiet" }, t("or a definition:")), this.definition),
+      h("label", { class: "row" }, this.practice, t("for practice, with hints")),
       h("label", { class: "row" }, this.wait, t("wait to be started")),
       h("button", { class: "plain primary" }, t("Create")),
     );
@@ -78,6 +80,7 @@ export class CreateForm {
       server: this.server.value,
       id: this.id.value.trim(),
       wait: this.wait.checked,
+      practice: this.practice.checked,
       ...(chosen ? { definition: await chosen.text() } : { exercise }),
     };
     if (!(await this.give(sample))) return;

@@ -4,6 +4,7 @@ import { h, setText } from "../kit/dom";
 import { inChosenUnits } from "../kit/figures_in_text";
 import { showsTopic } from "../kit/live";
 import { clock, measures, figure } from "../kit/units";
+import { practiceSaid } from "../kit/own_marks";
 import { outcomeSaid, saidOf, stateSaid } from "../kit/words";
 import {
   type Assessment,
@@ -94,7 +95,8 @@ export class MarksPanel {
     const abort = assessment.abort
       ? `, ${early ? translated(assessment.abort) : t("ended by {what}", { what: assessment.abort })}`
       : "";
-    setText(this.head, `${clock(assessment.time)}  ${points}${computed}${end}${abort}`);
+    const practice = assessment.practice ? `; ${practiceSaid(assessment)}` : "";
+    setText(this.head, `${clock(assessment.time)}  ${points}${computed}${end}${abort}${practice}`);
     this.list.replaceChildren(...assessment.criteria.map((criterion) => this.row(criterion)));
     this.form.hidden = this.desk.replay;
     const names = assessment.criteria.map((criterion) => criterion.code);

@@ -62,6 +62,8 @@ export interface ClassExercise {
 export interface TrainingClass {
   id: string;
   lesson: string;
+  /** Played with its hints, and no test. */
+  practice: boolean;
   /** Empty: it is good no longer. */
   code: string;
   crew: number;

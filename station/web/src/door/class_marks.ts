@@ -10,7 +10,10 @@ export function marksOf({ points, outcome }: ClassExercise): string {
   if (points === null) return t("not marked");
   const whole = points.toFixed(0);
   if (!outcome) return t("{points} points so far", { points: whole });
-  return t("{points} points, {outcome}", { points: whole, outcome: outcomeSaid(outcome) });
+  return t("{points} points, {outcome}", {
+    points: whole,
+    outcome: outcome === "practice" ? t("for practice") : outcomeSaid(outcome),
+  });
 }
 
 /** A class that is over. */
@@ -40,7 +43,7 @@ export function classMarks(it: TrainingClass): HTMLElement {
   return h(
     "section",
     { class: "panel class-marks" },
-    h("h2", {}, `${it.id}: ${it.lesson}`),
+    h("h2", {}, `${it.id}: ${it.practice ? t("{lesson} for practice", { lesson: it.lesson }) : it.lesson}`),
     h(
       "table",
       {},

@@ -182,11 +182,12 @@ class ClassPage {
   }
 
   /** In the bar: how many there are, and what becomes of who is to be moved. */
-  private saidNow({ lesson, exercises }: TrainingClass): Node[] {
+  private saidNow({ lesson: file, practice, exercises }: TrainingClass): Node[] {
     const seats = exercises.flatMap(({ seats: all }) => all);
     const taken = seats.filter(({ name }) => name !== null).length;
     const here = seats.filter((seat) => seat.here).length;
     const all = seats.length;
+    const lesson = practice ? t("{lesson} for practice", { lesson: file }) : file;
     const words = t("{lesson}; {taken} of {seats} seats taken, {here} at work", { lesson, taken, seats: all, here });
     const name = this.mover;
     return [

@@ -22,6 +22,7 @@ export function newClass(opened: (classes: Classes) => void): HTMLElement {
   const lesson = h("select", { required: true });
   const count = h("input", { type: "number", required: true, min: 1, max: 64, value: "12" });
   const crew = h("select", {}, ...crews.map(([value, text]) => h("option", { value }, text)));
+  const practice = h("input", { type: "checkbox" });
   const list = h("input", { type: "file", accept: ".csv,.txt,text/csv,text/plain" });
   const names = async (): Promise<string[]> => namesOf((await list.files?.[0]?.text()) ?? "");
   const enough = async (): Promise<void> => {
@@ -45,6 +46,7 @@ export function newClass(opened: (classes: Classes) => void): HTMLElement {
       [
         field(t("Name of the class"), name, t("exercises are called NAME-1, NAME-2 and so on")),
         field(t("Lesson"), lesson),
+        h("label", { class: "row" }, practice, t("for practice, with hints")),
         field(t("Exercises"), count),
         field(t("Trainees to each"), crew),
         field(t("Names"), list, t("a file (CSV) with a name to a line: then nobody else may join")),
@@ -55,6 +57,7 @@ export function newClass(opened: (classes: Classes) => void): HTMLElement {
             do: "open",
             class: name.value,
             lesson: lesson.value,
+            practice: practice.checked,
             exercises: count.valueAsNumber,
             crew: Number(crew.value),
             names: await names(),

@@ -26,6 +26,7 @@ export class Log {
     // has its dialog
     const isNews = (event: SeatEvent): boolean => event.forecastle && event.code !== "exercise.briefing";
     link.on("SeatEvent", (event) => isNews(event) && this.add(event));
+    link.on("ForecastleInstruction", (event) => event.code === "hint.forecastle" && this.add(event));
     link.onState((state) => {
       if (state !== "open") return;
       this.seen.clear(); // all of it comes again

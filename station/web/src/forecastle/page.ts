@@ -3,6 +3,7 @@
 import { orderAloud } from "../kit/aloud";
 import { Briefing } from "../kit/briefing";
 import { h, setAttribute } from "../kit/dom";
+import { HintLine } from "../kit/instructions";
 import { nextPalette } from "../kit/palette";
 import { everyFrame, openExercisePage } from "../kit/page";
 import { kByHand } from "../kit/orders";
@@ -73,6 +74,7 @@ export function openForecastle(): void {
       "section",
       { class: "panel heard", "aria-label": t("orders") },
       h("h2", {}, t("Orders from the bridge")),
+      new HintLine(link, "forecastle").element,
       orders.element,
     ),
     reports.element,

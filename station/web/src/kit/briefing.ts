@@ -6,6 +6,7 @@ import type { Connection, Seat } from "../wire/connection";
 import { RunState } from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
+import { type OwnSeat, onInstruction } from "./instructions";
 import type { OwnMarks } from "./own_marks";
 import { measures } from "./units";
 import { capital } from "./words";
@@ -32,9 +33,14 @@ export class Briefing {
   readonly lessonOver = h("p", { class: "lesson-over", role: "status", hidden: true });
   private readonly title = h("h2", { lang: "en" });
   private readonly text = h("p", { class: "text", lang: "en" });
+  private readonly own: Record<OwnSeat, HTMLElement> = {
+    forecastle: h("p", { class: "text own", hidden: true }),
+    bridge: h("p", { class: "text own", hidden: true }),
+  };
   private readonly seat = h("p", {});
   private readonly over = h("p", { class: "over", role: "status" });
   private pieces: string[] = [];
+  private readonly ownPieces: Record<OwnSeat, string[]> = { forecastle: [], bridge: [] };
   private shownIn: number | undefined; // the run in which it has opened by itself
   private byItself = false;
   private why = ""; // the lesson is over
@@ -53,6 +59,8 @@ export class Briefing {
         h("button", { class: "plain", onclick: () => this.element.close() }, t("Close")),
       ),
       this.text,
+      this.own.forecastle,
+      this.own.bridge,
       this.seat,
       this.over,
     );
@@ -70,6 +78,16 @@ export class Briefing {
       else if (code === "exercise.briefing" && value === 1) this.take([text]);
       else if (code === "exercise.briefing" && value === this.pieces.length + 1) this.take([...this.pieces, text]);
     });
+    onInstruction(
+      link,
+      (seat, number, text) => {
+        const before = this.ownPieces[seat];
+        if (number <= 1) this.ownPieces[seat] = number === 1 ? [text] : [];
+        else if (number === before.length + 1) this.ownPieces[seat] = [...before, text];
+        this.show();
+      },
+      () => {}, // the hint's line has it
+    );
     link.on("ExerciseStatus", () => this.show());
     for (const measure of measures) measure.onChoice(() => this.show());
     marks.onTold(() => this.say());
@@ -111,6 +129,15 @@ export class Briefing {
     if (!status || !hello || this.pieces.length === 0) return;
     setText(this.title, status.title || status.exercise);
     setText(this.text, inChosenUnits(this.pieces.join(" ")));
+    for (const seat of ["forecastle", "bridge"] as const) {
+      const text = this.ownPieces[seat].join(" ");
+      this.own[seat].hidden = !text;
+      this.own[seat].replaceChildren(
+        h("strong", {}, seat === "forecastle" ? t("For the forecastle alone:") : t("For the bridge alone:")),
+        " ",
+        h("span", { lang: "en" }, inChosenUnits(text)),
+      );
+    }
     setText(this.seat, seats[hello.seat]);
     const over = status.state === RunState.RUN_FINISHED;
     setText(this.over, over ? t("The exercise is over.") : "");

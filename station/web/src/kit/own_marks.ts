@@ -40,6 +40,12 @@ export function delayWords(delay: number): string {
   return delay < 0 ? t("{s} s early", { s }) : t("{s} s after it", { s });
 }
 
+/** "For practice, 2 hints". */
+export function practiceSaid({ hints }: Pick<Assessment, "hints">): string {
+  if (hints.length === 1) return t("For practice, 1 hint");
+  return t("For practice, {count} hints", { count: hints.length });
+}
+
 export class OwnMarks {
   /** Opens it; hidden until there are marks. */
   readonly button: HTMLButtonElement;
@@ -94,7 +100,10 @@ export class OwnMarks {
     const never = assessment.criteria.filter(({ state }) => state === kNotInPlay);
     const neverAs = [...new Set(never.map(stateSaid))];
     setText(this.head, headline(assessment));
+    const { hints } = assessment;
     const parts = [
+      assessment.practice &&
+        h("p", { class: "practice" }, t("{practice}: no test.", { practice: practiceSaid(assessment) })),
       assessment.abort && h("p", {}, t("It ended before it was done: {why}.", { why: assessment.abort })),
       section(t("To work on next time"), wrong.slice(0, kToWorkOn).map(criterionRow)),
       section(t("Also missed"), wrong.slice(kToWorkOn).map(criterionRow)),
@@ -108,6 +117,18 @@ export class OwnMarks {
         t("What was to be learnt"),
         assessment.objectives.map(({ text, id, outcome }) =>
           h("li", { "data-outcome": outcome }, `${text || spaced(id)}: ${outcomeSaid(outcome)}`),
+        ),
+      ),
+      section(
+        t("Hints"),
+        hints.map(({ tick, text, criterion }) =>
+          h(
+            "li",
+            {},
+            `${at(tick)} `,
+            h("span", { lang: "en" }, text),
+            criterion && h("span", { class: "quiet" }, spaced(criterion)),
+          ),
         ),
       ),
       section(t("Orders"), this.orders(assessment, at)),

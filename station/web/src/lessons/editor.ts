@@ -42,6 +42,7 @@ class Editor {
   );
   private readonly over = holdButton(t("Save over"), 0.8, () => void this.store(this.opened.stamp), { class: "plain" });
   private readonly into = h("select", { "aria-label": t("exercise to load it into") });
+  private readonly practice = h("input", { type: "checkbox" });
   private readonly load = holdButton(t("Load"), 0.8, () => void this.loadInto(), { class: "plain" });
   private readonly desk = h("a", { class: "button", hidden: true }, t("Desk"));
   private names: Listing = { files: [], events: [], faults: [] };
@@ -77,6 +78,7 @@ class Editor {
           this.over,
           h("span", { class: "gap" }),
           h("label", { class: "row" }, t("into"), this.into),
+          h("label", { class: "row" }, this.practice, t("for practice, with hints")),
           this.load,
           this.desk,
         ),
@@ -263,7 +265,11 @@ class Editor {
   private async loadInto(): Promise<void> {
     const exercise = this.into.value;
     const given = await this.tried(
-      orderIn(exercise, "ExerciseCommand", { action: "EXERCISE_LOAD", exercise: this.opened.name }).then(() => true),
+      orderIn(exercise, "ExerciseCommand", {
+        action: "EXERCISE_LOAD",
+        exercise: this.opened.name,
+        practice: this.practice.checked,
+      }).then(() => true),
     );
     if (!given) return;
     setText(
