@@ -40,7 +40,7 @@ test("each seat reads the common briefing and its own, and nothing of the other'
   }
 });
 
-test("a hint comes to its seat alone, over the orders and in the log, and the marks say so", async () => {
+test("a hint comes to its seat alone, beside its orders and in the log, and the marks say so", async () => {
   await rig.say("load", "L01_let_go_25m.json", "--practice");
   await eventually("it says that it is for practice", () => briefing(deck).getByText("for practice").isVisible());
   assert.ok(
@@ -49,7 +49,7 @@ test("a hint comes to its seat alone, over the orders and in the log, and the ma
   );
   await rig.say("start");
   const levers = rig.console("levers", "--brake", "0");
-  const hint = deck.locator(".heard .hint");
+  const hint = deck.locator(".hint");
   await eventually(
     "the hint is told",
     async () => (await hint.isVisible()) && /too fast/.test((await hint.textContent()) ?? ""),

@@ -46,6 +46,8 @@ export function openForecastle(): void {
   const scene = new SceneView(page);
   const captions = new Captions();
   scene.over.append(captions.element);
+  // Over the picture: in the panel of the orders it would leave these no room.
+  scene.element.append(new HintLine(link, "forecastle").element);
   const popover = new Popover(scene.element);
   const tell = (text: string): void => stand.tell(text);
   const men = new Men(link, () => stand.side, popover, tell);
@@ -74,7 +76,6 @@ export function openForecastle(): void {
       "section",
       { class: "panel heard", "aria-label": t("orders") },
       h("h2", {}, t("Orders from the bridge")),
-      new HintLine(link, "forecastle").element,
       orders.element,
     ),
     reports.element,
