@@ -81,14 +81,21 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
             inbox.orders.push_back(
                 {kChanceName,
                  exercise::Order{another_sea(session.snapshot(), luck.more_water, luck.other_waves)}});
-        if (session.snapshot().tick % look_every == 0)
+        if (session.snapshot().tick % look_every == 0) {
+            std::vector<Report> reports;
             for (Seat& seat : seats) {
                 seat.look(session.snapshot(), session.status());
                 for (run::ReceivedOrder& order : seat.act())
                     inbox.orders.push_back(std::move(order));
+                for (Report& report : seat.take_reports())
+                    reports.push_back(std::move(report));
                 for (const std::string& words : seat.take_words())
                     tell("trainee", words);
             }
+            for (const Report& report : reports)
+                for (Seat& seat : seats)
+                    seat.hear(report, session.snapshot().time);
+        }
         session.carry_out(inbox, session.snapshot().time);
         if (!session.tick()) throw std::runtime_error(def.name + ": " + session.failure());
         for (const exercise::ExerciseEvent& event : session.events()) {

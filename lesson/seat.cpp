@@ -1,5 +1,6 @@
 #include "lesson/seat.hpp"
 
+#include "server/dds/check.hpp"
 #include "server/dds/convert.hpp"
 #include "station/names.hpp"
 
@@ -16,27 +17,6 @@ using Clock = station::Clock;
 Clock::time_point at(double time) {
     return Clock::time_point{} +
            std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time));
-}
-
-/// What the seat's view tells of orders: numbers, codes, states.
-exercise::ReportMade made(const trainee::ReportOrder& order, int side, const station::Picture& picture) {
-    exercise::ReportMade report{.code = static_cast<exercise::ReportCode>(order.code),
-                                .side = order.side.value_or(side),
-                                .value = order.value,
-                                .lead = order.lead,
-                                .stay = static_cast<exercise::StayGiven>(order.stay),
-                                .growing = static_cast<exercise::Growing>(order.growing),
-                                .weight = static_cast<exercise::CableWeight>(order.weight),
-                                .order_number = order.order_number,
-                                .order_code = exercise::BridgeOrderCode::text,
-                                .text = order.text};
-    if (order.order) {
-        report.order_code = static_cast<exercise::BridgeOrderCode>(*order.order);
-        const BridgeOrder* newest = picture.order(*order.order); // of what is proposed it is another's
-        if (newest && order.order_number == 0 && order.code == REPORT_ORDER_REPEATED)
-            report.order_number = newest->number();
-    }
-    return report;
 }
 
 } // namespace
@@ -120,7 +100,10 @@ void Seat::perform(const trainee::Step& step, std::vector<run::ReceivedOrder>& o
         orders.push_back({name_, exercise::Order{exercise::DeckWorkOrder{
                                      static_cast<exercise::Side>(side_),
                                      static_cast<exercise::DeckWork>(*step.deck_work)}}});
-    if (step.report) orders.push_back({name_, exercise::Order{made(*step.report, side_, picture_)}});
+    if (step.report) {
+        const Report& report = reports_.emplace_back(trainee::sample_of(*step.report, side_, picture_));
+        orders.push_back({name_, dds::order(report)});
+    }
     if (step.order)
         orders.push_back({name_, exercise::Order{exercise::BridgeOrderGiven{
                                      .code = static_cast<exercise::BridgeOrderCode>(step.order->code),
@@ -156,6 +139,14 @@ std::vector<run::ReceivedOrder> Seat::act() {
         orders.push_back(
             {name_, exercise::Order{exercise::HelmOrder{engine, rudder, bow_thruster, stern_thruster}}});
     return orders;
+}
+
+void Seat::hear(const Report& report, double time) {
+    picture_.receive(report, at(time));
+}
+
+std::vector<Report> Seat::take_reports() {
+    return std::exchange(reports_, {});
 }
 
 std::vector<std::string> Seat::take_words() {

@@ -18,9 +18,13 @@ public:
     /// Gives him what a seat is given of this picture. now: s, for what is old.
     void look(const exercise::Snapshot& seen, const run::RunStatus& run);
     void notice(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen);
+    /// He hears a report of the forecastle, as a bridge does. time: s.
+    void hear(const Report& report, double time);
     /// What he does now; his windlass's levers every time, as a station sends them.
     std::vector<run::ReceivedOrder> act();
 
+    /// What he reported since the last time.
+    std::vector<Report> take_reports();
     /// What he said or did in words since the last time.
     std::vector<std::string> take_words();
     /// The step that he waits for; empty: all are done.
@@ -44,6 +48,7 @@ private:
     station::LeverSet levers_;
     bool has_helm_ = false;
     std::uint64_t noticed_ = 0;
+    std::vector<Report> reports_;
     std::vector<std::string> words_;
 };
 

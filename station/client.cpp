@@ -86,6 +86,7 @@ struct Client::Link {
 
     Ear<ForecastleView> forecastle = hear(on_forecastle(seat), wire::topics::forecastle_view);
     Ear<BridgeView> bridge = hear(on_bridge(seat), wire::topics::bridge_view);
+    Ear<Report> report = hear(on_bridge(seat), wire::topics::report);
     Ear<SeatEvent> seat_event = hear(seat != Seat::instructor, wire::topics::seat_event);
     Ear<SeatEvent> forecastle_instruction =
         hear(on_forecastle(seat), wire::topics::forecastle_instruction, &Picture::take_instruction);

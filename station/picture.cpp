@@ -141,6 +141,10 @@ void Picture::receive(const BridgeOrder& sample, Clock::time_point) {
         orders.insert(at, sample);
 }
 
+void Picture::receive(const Report& sample, Clock::time_point) {
+    if (!bridge || bridge->vhf_works()) reports.add(sample);
+}
+
 std::optional<std::string> Picture::refusal(const std::string& source, const LogsRead& seen,
                                             double since) const {
     const auto truth_told = refused_in(events, seen.events, source, since);

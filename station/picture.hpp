@@ -37,17 +37,15 @@ const Latest<T>& in_force(const Latest<T>& trainee, const Latest<T>& instructor)
     return trainee && *trainee.at - *instructor.at > kSilent ? trainee : instructor;
 }
 
-/// Events of this run, oldest first, at most kKept of them. T: Event or SeatEvent.
+/// What came, oldest first, at most kKept of it.
 template <class T>
-struct EventLog {
+struct Log {
     static constexpr std::size_t kKept = 500;
 
     std::deque<T> kept;
     std::uint64_t received = 0; ///< since this station joined, over all runs
 
-    /// A number that goes back is of a run that begins again: what was kept is forgotten.
-    void receive(const T& sample) {
-        if (!kept.empty() && sample.number() <= kept.back().number()) kept.clear();
+    void add(const T& sample) {
         kept.push_back(sample);
         if (kept.size() > kKept) kept.pop_front();
         ++received;
@@ -57,6 +55,16 @@ struct EventLog {
     std::vector<T> after(std::uint64_t seen) const {
         const auto fresh = std::min<std::uint64_t>(received - seen, kept.size());
         return {kept.end() - static_cast<std::ptrdiff_t>(fresh), kept.end()};
+    }
+};
+
+/// Events of this run. T: Event or SeatEvent.
+template <class T>
+struct EventLog : Log<T> {
+    /// A number that goes back is of a run that begins again: what was kept is forgotten.
+    void receive(const T& sample) {
+        if (!this->kept.empty() && sample.number() <= this->kept.back().number()) this->kept.clear();
+        this->add(sample);
     }
 };
 
@@ -116,6 +124,7 @@ struct Picture {
     EventLog<SeatEvent> seat_events;
     /// Briefing and hints that are told to one seat alone: forecastle, bridge.
     std::array<EventLog<SeatEvent>, 2> instructions;
+    Log<Report> reports; ///< of the forecastle, as a bridge hears them: none while its VHF is dead
 
     Latest<ExerciseTruth> truth; ///< the truth, this and all below
     Latest<EnvironmentState> environment;
@@ -136,6 +145,7 @@ struct Picture {
     void take_instruction(const SeatEvent& sample, Clock::time_point now);
     void receive(const Alert& sample, Clock::time_point now);
     void receive(const BridgeOrder& sample, Clock::time_point now);
+    void receive(const Report& sample, Clock::time_point now);
     /// Levers and helm of a trainee, and of an instructor.
     void receive(const WindlassCommand& sample, Clock::time_point now);
     void receive(const HelmCommand& sample, Clock::time_point now);

@@ -94,6 +94,7 @@ trainee::Script script_of(const Options& options) {
         const trainee::Step& step = script.steps[k];
         const auto at = [k](const char* name) { return fmt::format("/steps/{}/{}", k, name); };
         if (step.order && seat != station::Seat::conning) refuse(at("order"), "bridge");
+        if (step.when.reported && !station::on_bridge(seat)) refuse(at("when/reported"), "bridge or ship");
         if (step.report && !station::on_forecastle(seat)) refuse(at("report"), "forecastle or ship");
         if (step.deck_work && !station::on_forecastle(seat)) refuse(at("deck_work"), "forecastle or ship");
         if (step.show && !station::on_bridge(seat)) refuse(at("show"), "bridge or ship");

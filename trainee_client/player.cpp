@@ -36,11 +36,16 @@ std::vector<const Step*> Player::advance(const Picture& picture) {
     }
 
     const double now = picture.time(side_);
-    if (!step_time_) step_time_ = last_time_ = now;
+    if (!step_time_) {
+        step_time_ = last_time_ = now;
+        reports_before_ = picture.reports.received;
+    }
     if (script_.follows_orders) skip_what_is_not_ordered(picture);
-    while (!finished() && script_.steps[next_].when.holds(picture, side_, now - *step_time_)) {
+    while (!finished() &&
+           script_.steps[next_].when.holds(picture, side_, now - *step_time_, reports_before_)) {
         taken.push_back(&script_.steps[next_++]);
         step_time_ = now;
+        reports_before_ = picture.reports.received;
     }
     if (finished()) return taken;
 
@@ -120,7 +125,7 @@ std::string Player::waiting_for(const Picture& picture) const {
     const std::string say = step.say.empty() ? "" : fmt::format(" (\"{}\")", step.say);
     const double since = picture.status ? since_step(picture) : 0;
     return fmt::format("step {} of {}{} waits for {}", next_ + 1, script_.steps.size(), say,
-                       step.when.unmet(picture, side_, since));
+                       step.when.unmet(picture, side_, since, reports_before_));
 }
 
 } // namespace windlass::trainee

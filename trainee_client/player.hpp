@@ -35,8 +35,9 @@ private:
     const Script script_;
     const int side_;
     std::size_t next_ = 0;
-    std::optional<double> step_time_; ///< s, when the last step was taken, or the start
-    double last_time_ = 0;            ///< s, to notice an exercise that begins again
+    std::optional<double> step_time_;  ///< s, when the last step was taken, or the start
+    std::uint64_t reports_before_ = 0; ///< how many had been heard at that time
+    double last_time_ = 0;             ///< s, to notice an exercise that begins again
     std::optional<std::string> failure_;
     std::deque<Step> repeats_; ///< given out, which stay where they are
     std::optional<Mate> mate_;

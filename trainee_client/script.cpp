@@ -171,16 +171,19 @@ std::string shown(std::optional<double> value) {
     return value ? fmt::format("{:.4g}", *value) : std::string{"not heard yet"};
 }
 
+std::string limits(const Bounds& bounds) {
+    std::string text;
+    if (bounds.at_least) text += fmt::format(" at least {:g}", *bounds.at_least);
+    if (bounds.above) text += fmt::format(" above {:g}", *bounds.above);
+    if (bounds.below) text += fmt::format(" below {:g}", *bounds.below);
+    return text;
+}
+
 Finding look(const Bounds& bounds, const Picture& picture, int side) {
     const auto now = bounds.quantity->read(picture, side);
-    const bool holds = now && (!bounds.at_least || *now >= *bounds.at_least) &&
-                       (!bounds.above || *now > *bounds.above) && (!bounds.below || *now < *bounds.below);
-    std::string limits;
-    if (bounds.at_least) limits += fmt::format(" at least {:g}", *bounds.at_least);
-    if (bounds.above) limits += fmt::format(" above {:g}", *bounds.above);
-    if (bounds.below) limits += fmt::format(" below {:g}", *bounds.below);
     const std::string unit = *bounds.quantity->unit ? fmt::format(" {}", bounds.quantity->unit) : "";
-    return {holds, fmt::format("{}{}{} (now {})", bounds.quantity->name, limits, unit, shown(now))};
+    return {now && bounds.hold(*now),
+            fmt::format("{}{}{} (now {})", bounds.quantity->name, limits(bounds), unit, shown(now))};
 }
 
 Finding look_for(bool holds, std::string_view wanted, bool heard, std::string_view now) {
@@ -213,7 +216,22 @@ void look_at_windlass(const Condition& when, const Sample& now, bool heard, std:
                                now.stopper_closed() ? "on" : "off"));
 }
 
-std::vector<Finding> findings(const Condition& when, const Picture& picture, int side, double since_step) {
+/// Whether the bridge has heard it since the step before.
+Finding look_for_report(const Condition& when, const Picture& picture, int side,
+                        std::uint64_t reports_before) {
+    const int wanted = when.reported_side.value_or(side);
+    const auto heard = [&](const Report& report) {
+        const double figure = report.code() == REPORT_LEAD ? report.lead() : report.value();
+        return report.code() == *when.reported && report.side() == wanted &&
+               (!when.reported_value || when.reported_value->hold(figure));
+    };
+    const std::string figure = when.reported_value ? limits(*when.reported_value) : "";
+    return {std::ranges::any_of(picture.reports.after(reports_before), heard),
+            fmt::format("{}{} to be reported (not heard)", station::name(*when.reported), figure)};
+}
+
+std::vector<Finding> findings(const Condition& when, const Picture& picture, int side, double since_step,
+                              std::uint64_t reports_before) {
     const station::TacklePicture& one = tackle(picture, side);
     std::vector<Finding> all;
     if (when.after)
@@ -255,6 +273,7 @@ std::vector<Finding> findings(const Condition& when, const Picture& picture, int
                                  when.ordered_value ? fmt::format(" {:g}", *when.ordered_value) : ""),
                      true, "not ordered"));
     }
+    if (when.reported) all.push_back(look_for_report(when, picture, side, reports_before));
     return all;
 }
 
@@ -264,13 +283,15 @@ std::span<const Quantity> quantities() {
     return kQuantities;
 }
 
-bool Condition::holds(const Picture& picture, int side, double since_step) const {
-    return std::ranges::all_of(findings(*this, picture, side, since_step), &Finding::holds);
+bool Condition::holds(const Picture& picture, int side, double since_step,
+                      std::uint64_t reports_before) const {
+    return std::ranges::all_of(findings(*this, picture, side, since_step, reports_before), &Finding::holds);
 }
 
-std::string Condition::unmet(const Picture& picture, int side, double since_step) const {
+std::string Condition::unmet(const Picture& picture, int side, double since_step,
+                             std::uint64_t reports_before) const {
     std::string text;
-    for (const Finding& finding : findings(*this, picture, side, since_step))
+    for (const Finding& finding : findings(*this, picture, side, since_step, reports_before))
         if (!finding.holds) text += (text.empty() ? "" : ", ") + finding.text;
     return text;
 }
@@ -288,6 +309,26 @@ void Orders::apply(station::LeverSet& set) const {
     move(set.helm.rudder, rudder);
     move(set.helm.bow_thruster, bow_thruster);
     move(set.helm.stern_thruster, stern_thruster);
+}
+
+Report sample_of(const ReportOrder& order, int side, const Picture& picture) {
+    Report sample;
+    sample.code(order.code);
+    sample.side(order.side.value_or(side));
+    sample.value(order.value);
+    sample.lead(order.lead);
+    sample.stay(order.stay);
+    sample.growing(order.growing);
+    sample.weight(order.weight);
+    sample.order_number(order.order_number);
+    if (order.order) {
+        sample.order_code(*order.order);
+        const BridgeOrder* newest = picture.order(*order.order); // of what is proposed it is another's
+        if (newest && order.order_number == 0 && order.code == REPORT_ORDER_REPEATED)
+            sample.order_number(newest->number());
+    }
+    sample.text() = order.text;
+    return sample;
 }
 
 bool Orders::any() const {

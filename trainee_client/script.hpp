@@ -28,8 +28,12 @@ std::span<const Quantity> quantities();
 
 /// Limits of one quantity, SI. at_least includes its limit, above and below do not.
 struct Bounds {
-    const Quantity* quantity = nullptr;
+    const Quantity* quantity = nullptr; ///< null: the figure of a report
     std::optional<double> at_least, above, below;
+
+    bool hold(double value) const {
+        return (!at_least || value >= *at_least) && (!above || value > *above) && (!below || value < *below);
+    }
 };
 
 /// All that is given must hold. Without anything it holds at once.
@@ -45,12 +49,17 @@ struct Condition {
     std::optional<BridgeOrderCode> order;   ///< the bridge has given it and it waits to be repeated back
     std::optional<BridgeOrderCode> ordered; ///< the bridge has given it in this run, repeated back or not
     std::optional<double> ordered_value;    ///< with that number
+    std::optional<ReportCode> reported;     ///< the forecastle has, since the step before
+    std::optional<int> reported_side;       ///< SIDE_PORT, SIDE_STARBOARD or -1; nothing: the one worked
+    std::optional<Bounds> reported_value;   ///< figure of that report; of a lead its hour
 
-    /// since_step: s of exercise time since the step before.
-    bool holds(const station::Picture& picture, int side, double since_step) const;
+    /// since_step: s of exercise time since the step before; reports_before: how many had been heard by then.
+    bool holds(const station::Picture& picture, int side, double since_step,
+               std::uint64_t reports_before = 0) const;
 
     /// Each condition that does not hold, with the value it has: "shackles at least 6 (now 4.2)".
-    std::string unmet(const station::Picture& picture, int side, double since_step) const;
+    std::string unmet(const station::Picture& picture, int side, double since_step,
+                      std::uint64_t reports_before = 0) const;
 };
 
 /// Levers to move; what is not given stays.
@@ -76,6 +85,10 @@ struct ReportOrder {
     int order_number = 0; ///< that it answers; 0: the newest one of that code, that is unsafe: the newest
     std::string text;
 };
+
+/// The report as it is sent, of a man at that windlass: it carries what was entered and nothing else. A
+/// repeat without a number answers the newest order of its code in the picture.
+Report sample_of(const ReportOrder& order, int side, const station::Picture& picture);
 
 /// An order to the forecastle: a seat of the bridge gives it.
 struct BridgesOrder {

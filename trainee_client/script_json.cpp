@@ -48,8 +48,9 @@ std::string_view seen_instead(std::string_view truth) {
     return "seat_event, counter, counter_speed, load_cell";
 }
 
-Bounds read_bounds(const Quantity& quantity, const json& value) {
-    Bounds bounds{.quantity = &quantity, .at_least = {}, .above = {}, .below = {}};
+/// quantity: null for the figure of a report.
+Bounds read_bounds(const Quantity* quantity, const json& value) {
+    Bounds bounds{.quantity = quantity, .at_least = {}, .above = {}, .below = {}};
     if (value.is_number()) {
         bounds.at_least = value.get<double>();
     } else {
@@ -59,12 +60,17 @@ Bounds read_bounds(const Quantity& quantity, const json& value) {
     return bounds;
 }
 
+int side_of(const std::string& name) {
+    if (name == "both") return -1;
+    return name == "starboard" ? SIDE_STARBOARD : SIDE_PORT;
+}
+
 Condition read_condition(const json& object) {
     Condition when;
     read(object, "after", when.after);
     for (const Quantity& quantity : quantities())
         if (object.contains(quantity.name))
-            when.bounds.push_back(read_bounds(quantity, object.at(quantity.name)));
+            when.bounds.push_back(read_bounds(&quantity, object.at(quantity.name)));
     read(object, "anchor_on_bottom", when.anchor_on_bottom);
     if (object.contains("anchor_phase"))
         when.anchor_phase = station::anchor_phase(object.at("anchor_phase").get<std::string>());
@@ -77,6 +83,12 @@ Condition read_condition(const json& object) {
     if (object.contains("ordered"))
         when.ordered = station::bridge_order_code(object.at("ordered").get<std::string>());
     read(object, "ordered_value", when.ordered_value);
+    if (object.contains("reported"))
+        when.reported = station::report_code(object.at("reported").get<std::string>());
+    if (object.contains("reported_side"))
+        when.reported_side = side_of(object.at("reported_side").get<std::string>());
+    if (object.contains("reported_value"))
+        when.reported_value = read_bounds(nullptr, object.at("reported_value"));
     return when;
 }
 
@@ -93,11 +105,6 @@ Orders read_orders(const json& object) {
     read(object, "bow_thruster", orders.bow_thruster);
     read(object, "stern_thruster", orders.stern_thruster);
     return orders;
-}
-
-int side_of(const std::string& name) {
-    if (name == "both") return -1;
-    return name == "starboard" ? SIDE_STARBOARD : SIDE_PORT;
 }
 
 ReportOrder read_report(const json& object) {
@@ -160,12 +167,30 @@ std::string truths_looked_at(const json& document, const std::string& file) {
     return faults;
 }
 
+/// Figures and sides of a report that is not named, one line each.
+std::string reports_not_named(const json& document, const std::string& file) {
+    std::string faults;
+    const json& steps = document.at("steps");
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const json when = steps[i].value("when", json::object());
+        for (const char* name : {"reported_side", "reported_value"})
+            if (when.contains(name) && !when.contains("reported"))
+                faults +=
+                    fmt::format("{}{}: /steps/{}/when/{}: {} is not allowed alone: say in \"reported\" of "
+                                "which report",
+                                faults.empty() ? "" : "\n", file, i, name, when.at(name).dump());
+    }
+    return faults;
+}
+
 } // namespace
 
 Script load_script(const std::filesystem::path& file, Eyes eyes) {
     const json document = read_json(file);
     const JsonSchema schema{embedded::script_schema, [](const std::string&) { return words::json_text(); }};
     schema.check(document, file.string());
+    if (const auto faults = reports_not_named(document, file.string()); !faults.empty())
+        throw ConfigError(faults);
     if (eyes == Eyes::seat)
         if (const auto faults = truths_looked_at(document, file.string()); !faults.empty())
             throw ConfigError(faults);

@@ -147,25 +147,9 @@ void Trainee::order(const BridgesOrder& order, const Picture& picture) {
                                     station::words(order.code, sample.side(), order.value)));
 }
 
-// Carries what was entered and nothing else.
 void Trainee::report(const ReportOrder& order, const Picture& picture) {
-    Report sample;
+    Report sample = sample_of(order, side_, picture);
     sample.origin(client_.next_origin());
-    sample.code(order.code);
-    sample.side(order.side.value_or(side_));
-    sample.value(order.value);
-    sample.lead(order.lead);
-    sample.stay(order.stay);
-    sample.growing(order.growing);
-    sample.weight(order.weight);
-    sample.order_number(order.order_number);
-    if (order.order) {
-        sample.order_code(*order.order);
-        const BridgeOrder* newest = picture.order(*order.order); // of what is proposed it is another's
-        if (newest && order.order_number == 0 && order.code == REPORT_ORDER_REPEATED)
-            sample.order_number(newest->number());
-    }
-    sample.text() = order.text;
     const bool sent = reports_ && reports_->write(sample);
     view_.note(picture, fmt::format("{}report: {}", sent ? "" : "NOT SENT, ", station::words(sample)));
 }

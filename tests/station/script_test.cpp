@@ -369,6 +369,70 @@ TEST(Condition, OfASeatIsReadFromItsViews) {
                 HasSubstr("order secure (now let_go)"));
 }
 
+Report reported(ReportCode code, int side, double value = 0, int lead = 0) {
+    Report report;
+    report.code(code);
+    report.side(side);
+    report.value(value);
+    report.lead(lead);
+    return report;
+}
+
+TEST(Condition, HearsAReportOfTheForecastleBySideAndFigure) {
+    Picture picture = picture_at(10);
+    const auto holds = [&](const char* when) { return condition(when).holds(picture, SIDE_PORT, 0); };
+    EXPECT_THAT(
+        condition(R"({"reported": "shackles_in_pipe", "reported_value": 3})").unmet(picture, SIDE_PORT, 0),
+        HasSubstr("shackles_in_pipe at least 3 to be reported (not heard)"));
+    picture.receive(reported(REPORT_SHACKLES_IN_PIPE, SIDE_STARBOARD, 3), Clock::now());
+    picture.receive(reported(REPORT_LEAD, SIDE_PORT, 0, 7), Clock::now());
+    EXPECT_FALSE(holds(R"({"reported": "shackles_in_pipe"})")); // of the other side
+    EXPECT_TRUE(holds(R"({"reported": "shackles_in_pipe", "reported_side": "starboard"})"));
+    EXPECT_TRUE(
+        holds(R"({"reported": "shackles_in_pipe", "reported_side": "starboard", "reported_value": 3})"));
+    EXPECT_FALSE(
+        holds(R"({"reported": "shackles_in_pipe", "reported_side": "starboard", "reported_value": 4})"));
+    EXPECT_TRUE(holds(R"({"reported": "lead", "reported_value": {"above": 5, "below": 9}})"));
+    EXPECT_FALSE(holds(R"({"reported": "lead", "reported_value": {"below": 7}})"));
+}
+
+TEST(Condition, HearsNoReportWhileTheRadioIsDead) {
+    Picture picture = picture_at(10);
+    BridgeView bridge;
+    bridge.vhf_works(false);
+    picture.receive(bridge, Clock::now());
+    picture.receive(reported(REPORT_BROUGHT_UP, SIDE_PORT), Clock::now());
+    EXPECT_FALSE(condition(R"({"reported": "brought_up"})").holds(picture, SIDE_PORT, 0));
+    bridge.vhf_works(true);
+    picture.receive(bridge, Clock::now());
+    picture.receive(reported(REPORT_BROUGHT_UP, SIDE_PORT), Clock::now());
+    EXPECT_TRUE(condition(R"({"reported": "brought_up"})").holds(picture, SIDE_PORT, 0));
+}
+
+TEST(Player, WaitsForAReportThatComesAfterTheStepBefore) {
+    Player player{script(R"({"steps": [{"say": "asks"}, {"when": {"reported": "lead"}, "say": "and again"},
+                                        {"when": {"reported": "lead"}, "say": "heard"}]})"),
+                  SIDE_PORT};
+    Picture picture = picture_at(10);
+    picture.receive(reported(REPORT_LEAD, SIDE_PORT), Clock::now()); // before the script: of no step of it
+    EXPECT_EQ(player.advance(picture).size(), 1U);
+    picture.receive(reported(REPORT_LEAD, SIDE_PORT), Clock::now());
+    EXPECT_EQ(player.advance(picture).size(), 1U); // one report answers one question
+    EXPECT_TRUE(player.advance(picture).empty());
+    picture.receive(reported(REPORT_LEAD, SIDE_PORT), Clock::now());
+    EXPECT_EQ(player.advance(picture).size(), 1U);
+    EXPECT_TRUE(player.finished());
+}
+
+TEST(Script, AFigureOfNoReportIsAFault) {
+    try {
+        script(R"({"steps": [{"when": {"reported_value": 3}, "say": "a"}]})");
+        FAIL() << "taken";
+    } catch (const ConfigError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("/steps/0/when/reported_value: 3 is not allowed alone"));
+    }
+}
+
 TEST(Player, GoesByAViewAsWellAsByTheLoads) {
     Player player{script(R"({"steps": [{"say": "a"}]})"), SIDE_PORT};
     Picture picture;
