@@ -128,7 +128,7 @@ std::optional<ReportCode> awaited(const Condition& condition, const Lesson& less
                                   std::int64_t since) {
     for (const Sign& sign : condition.signs)
         if (sign.kind == SignKind::report && came(sign, state) < since)
-            return lesson.reports[static_cast<std::size_t>(sign.index)];
+            return lesson.reports[static_cast<std::size_t>(sign.index)].code;
     for (const Condition& one : condition.either)
         if (const auto report = awaited(one, lesson, state, since)) return report;
     return std::nullopt;

@@ -37,6 +37,15 @@ void watch_events(const Lesson& lesson, State& state, const Snapshot& seen) {
         }
 }
 
+void watch_reports(const Lesson& lesson, State& state) {
+    for (const Heard& report : state.heard)
+        for (std::size_t k = 0; k < lesson.reports.size(); ++k) {
+            const WatchedReport& watched = lesson.reports[k];
+            if (report.code == watched.code && (report.side < 0 || report.side == watched.side))
+                note(state.reports[k], state.tick);
+        }
+}
+
 /// How each cable grows.
 void watch_cables(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate) {
     for (const TackleView& tackle : seen.tackle) {
@@ -323,9 +332,7 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
     const Look look{lesson, state, seen, tick_rate};
     watch_events(lesson, state, seen);
     watch_cables(lesson, state, seen, tick_rate);
-    for (const Heard& report : state.heard)
-        for (std::size_t k = 0; k < lesson.reports.size(); ++k)
-            if (lesson.reports[k] == report.code) note(state.reports[k], state.tick);
+    watch_reports(lesson, state);
     watch_orders(lesson, state, seen, tick_rate);
     for (const Heard& report : state.heard)
         take_answer(lesson, state, report);

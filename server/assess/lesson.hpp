@@ -61,6 +61,12 @@ struct WatchedEvent {
     int side = 0; ///< as Condition; an event of no side is of both
 };
 
+/// A report that some condition waits for.
+struct WatchedReport {
+    exercise::ReportCode code = exercise::ReportCode::text;
+    int side = 0; ///< as Condition; a report of no side is of both
+};
+
 struct Moment {
     std::string id;
     Condition when;
@@ -175,8 +181,8 @@ struct Lesson {
     int pass = 70;                     ///< points of 100
     bool marks_when_confirmed = false; ///< seats are told their marks then, and not at the lesson's end
     std::vector<Objective> objectives;
-    std::vector<WatchedEvent> events;          ///< that are waited for
-    std::vector<exercise::ReportCode> reports; ///< the same
+    std::vector<WatchedEvent> events;   ///< that are waited for
+    std::vector<WatchedReport> reports; ///< the same
     std::vector<Moment> moments;
     std::vector<LessonOrder> orders;
     std::vector<LessonFault> faults;

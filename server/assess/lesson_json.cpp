@@ -212,8 +212,9 @@ private:
         if (object.contains("report"))
             for (const std::string& code : texts(object.at("report")))
                 to.signs.push_back({SignKind::report,
-                                    watch(lesson_, static_cast<exercise::ReportCode>(
-                                                       std::max(0, place_of(words::kReportNames, code))))});
+                                    watch(lesson_, WatchedReport{static_cast<exercise::ReportCode>(std::max(
+                                                                     0, place_of(words::kReportNames, code))),
+                                                                 to.side})});
         if (object.contains("moment"))
             for (const std::string& id : texts(object.at("moment")))
                 to.signs.push_back({SignKind::moment, reference(moments_, id, at + "/moment", "moments")});

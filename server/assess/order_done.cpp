@@ -49,8 +49,11 @@ int watch(Lesson& lesson, const WatchedEvent& event) {
     return static_cast<int>(lesson.events.size()) - 1;
 }
 
-int watch(Lesson& lesson, ReportCode report) {
-    const auto found = std::find(lesson.reports.begin(), lesson.reports.end(), report);
+int watch(Lesson& lesson, const WatchedReport& report) {
+    const auto found =
+        std::find_if(lesson.reports.begin(), lesson.reports.end(), [&](const WatchedReport& one) {
+            return one.code == report.code && one.side == report.side;
+        });
     if (found != lesson.reports.end()) return static_cast<int>(found - lesson.reports.begin());
     lesson.reports.push_back(report);
     return static_cast<int>(lesson.reports.size()) - 1;

@@ -7,7 +7,7 @@ namespace windlass::assess {
 
 /// Adds an event, or report, to those that a lesson waits for; its place.
 int watch(Lesson& lesson, const WatchedEvent& event);
-int watch(Lesson& lesson, exercise::ReportCode report);
+int watch(Lesson& lesson, const WatchedReport& report);
 
 /// The windlass as it is when the order has been carried out. side: whose.
 Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, int side);

@@ -82,7 +82,8 @@ std::string sign_words(const Lesson& lesson, const Sign& sign) {
     case SignKind::event:
         return spaced(lesson.events[k].code);
     case SignKind::report:
-        return "reported: " + spaced(words::kReportNames.at(static_cast<std::size_t>(lesson.reports[k])));
+        return "reported: " +
+               spaced(words::kReportNames.at(static_cast<std::size_t>(lesson.reports[k].code)));
     case SignKind::moment:
         return "moment " + lesson.moments[k].id;
     case SignKind::order_given:

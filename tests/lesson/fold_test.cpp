@@ -28,6 +28,23 @@ TEST(Assessment, LimitForgivesItsGraceAndThenTakesAwayEvenly) {
     EXPECT_EQ(course.mark().milli, 0);
 }
 
+// Two windlasses, two men: what one says is nothing that the other has said.
+TEST(Assessment, AReportOfAConditionIsOfItsSide) {
+    const auto holds = [](const char* side, int reported) {
+        Course course(lesson(R"({"id": "f", "kind": "final", "that": {)" + std::string(side) +
+                             R"("report": "on_the_bottom"}})"));
+        course.seen().tackle.emplace_back().side = exercise::Side::starboard;
+        course.report({.code = exercise::ReportCode::on_the_bottom, .side = reported});
+        course.run(1);
+        return course.mark().milli == 1000;
+    };
+    EXPECT_TRUE(holds("", 0));
+    EXPECT_FALSE(holds("", 1));
+    EXPECT_TRUE(holds(R"("side": "starboard", )", 1));
+    EXPECT_FALSE(holds(R"("side": "starboard", )", 0));
+    EXPECT_TRUE(holds(R"("side": "starboard", )", -1)); // of no side: of both
+}
+
 TEST(Assessment, NothingIsLeftOnceALimitIsPassedByTooMuch) {
     Course course(lesson(
         R"({"id": "v", "kind": "limit", "of": "cable_speed", "max": 3, "fail_above": 5, "zero": 60})"));
