@@ -1,13 +1,16 @@
 // Takes the pictures of docs/pictures: real stations, a real server, each at a fixed instant of the exercise. The page
-// stands still (?still=1), so that nothing in it moves by time.
+// stands still (?still=1), so that nothing in it moves by time. Those of views/ (docs/views.md) are drawn as a graphics
+// card draws them, whatever draws here.
 //
 // usage: WINDLASS_DOMAIN=N node station/web/tools/ts.mjs tests/browser/pictures.ts [OUTPUT [NAME...]]     (after a build; some minutes)
 // A NAME may be the beginning of several.
 
-import { mkdir } from "node:fs/promises";
-import { join } from "node:path";
+import { cp, mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
 
-import { type TestPage, closeBrowser, closePage, openPage, root } from "./browser";
+import { type PageOptions, type TestPage, closeBrowser, closePage, openPage, root } from "./browser";
+import { LiningSeen } from "../../station/web/src/wire/generated";
 import { type Station, type Truth, Rig, eventually, sleep } from "./rig";
 
 const [output = join(root, "docs/pictures"), ...only] = process.argv.slice(2);
@@ -26,7 +29,7 @@ const still = (url: string, path?: string) => {
   return address.href;
 };
 
-const look = (url: string) => openPage(url, { viewport: kSize });
+const look = (url: string, more: PageOptions = {}) => openPage(url, { viewport: kSize, ...more });
 
 /**
  * Takes the picture NAME (a JPEG where it is called so, else NAME.png) of a page, or of one opened at an address, that
@@ -43,6 +46,7 @@ async function picture(
   await work(page);
   await sleep(kDrawn);
   const file = name.endsWith(".jpg") ? name : `${name}.png`;
+  await mkdir(dirname(join(output, file)), { recursive: true });
   await page.screenshot({ path: join(output, file), ...(file === name ? { type: "jpeg", quality: 82 } : {}) });
   if (page.problems.length) console.log(`${name}: ${page.problems.join("; ")}`);
   await closePage(page);
@@ -144,10 +148,132 @@ await session(["lessons", "classroom"], async (rig) => {
   await picture(still(desk.url, "/classroom"), "classroom");
 });
 
+// The views: each by day, at dusk, by night, in fog and in a gale, of a ship that lies to six shackles.
+
+/** A graphics card's name for what draws here: the page then draws as for one. */
+const asByACard = (): void => {
+  const { prototype } = WebGL2RenderingContext;
+  const parameter = prototype.getParameter;
+  prototype.getParameter = function (this: WebGL2RenderingContext, of: GLenum) {
+    const found: unknown = parameter.call(this, of);
+    return typeof found === "string" && /llvmpipe|swiftshader/i.test(found) ? "a graphics card" : found;
+  };
+};
+const byACard = (url: string, path: string) => look(still(url, path), { init: asByACard });
+
+const weathers: Record<string, string[]> = {
+  day: ["--time-of-day", "10:30", "--visibility", "20000"],
+  dusk: ["--time-of-day", "18:12", "--visibility", "15000"],
+  night: ["--time-of-day", "23:10", "--visibility", "15000"],
+  fog: ["--time-of-day", "08:00", "--visibility", "250", "--wind-speed", "3"],
+  gale: ["--time-of-day", "15:00", "--visibility", "3700", "--wind-speed", "20", "--fetch", "60000"],
+};
+const kViews = ["stand", "bow", "bridge"];
+const kSettles = 60; // s of the exercise, in which she takes the weather
+
+for (const [weather, says] of Object.entries(weathers)) {
+  const name = (view: string) => `views/${view}_${weather}.jpg`;
+  await session(kViews.map(name), async (rig) => {
+    rig.server("at_anchor_25m", "--time-scale", "4");
+    await rig.say("environment", ...says, "--timeout", "60");
+    const { status } = await rig.truly("the exercise is heard of", (now) => now.status?.time > 0);
+    await rig.truly("she has taken the weather", (now) => now.status.time > status.time + kSettles);
+    await rig.say("pause");
+    await rig.say("lights-and-shapes", /dusk|night/.test(weather) ? "--lights" : "--ball");
+    const station = await rig.station("ship");
+    const inTheDark = async (page: TestPage) => {
+      if (/night/.test(weather)) await page.keyboard.press("l");
+    };
+    await picture(await byACard(station.url, "/forecastle"), name("stand"), inTheDark);
+    await picture(await byACard(station.url, "/forecastle"), name("bow"), async (page) => {
+      await page.keyboard.press("2");
+      await inTheDark(page);
+    });
+    await picture(await byACard(station.url, "/bridge"), name("bridge"), (page) =>
+      page.getByRole("button", { name: "Look out" }).click(),
+    );
+  });
+}
+
+// Danger: a cable that runs away, and a brake that was ridden until it burns. Both in deep water, by the page's own keys.
+
+/** An exercise of ours in so deep water, m, without its lesson, while work() has its file. */
+async function inDeepWater(depth: number, work: (file: string) => Promise<void>) {
+  const folder = await mkdtemp(join(tmpdir(), "windlass-pictures-"));
+  await cp(join(root, "config"), join(folder, "config"), { recursive: true });
+  const file = join(folder, "config/exercises/deep.json");
+  const read = JSON.parse(await readFile(join(root, "config/exercises/let_go_port_25m.json"), "utf8")) as {
+    environment: { depth: number };
+  };
+  read.environment.depth = depth;
+  await writeFile(file, JSON.stringify(read));
+  await work(file);
+  await rm(folder, { recursive: true });
+}
+
+/** A page without its picture, whose levers may be moved. */
+async function handAtTheStand(station: Station) {
+  const hand = await openPage(station.url.replace("#", "?picture=off#"));
+  await eventually("the levers may be moved", () => hand.getByRole("switch", { name: "clutch" }).isEnabled());
+  return hand;
+}
+/** What the mate sees at his stand. */
+const atTheStand = (page: TestPage) =>
+  page.evaluate(() => {
+    const view = window.windlass.link.latest("ForecastleView", 0);
+    return { speed: view.cable_speed_indicated, out: view.cable_out_indicated, lining: view.lining };
+  });
+
+const danger = (what: string) => ["stand", "bow", "brake"].map((place) => `views/${what}_${place}.jpg`);
+async function pictureDanger(what: string, station: Station) {
+  for (const [k, name] of danger(what).entries())
+    await picture(await byACard(station.url, "/forecastle"), name, (page) => page.keyboard.press(`${k + 1}`));
+}
+
+await session(danger("runaway"), (rig) =>
+  inDeepWater(120, async (file) => {
+    rig.server(file);
+    const station = await rig.station("forecastle");
+    const hand = await handAtTheStand(station);
+    await eventually("it runs away", async () => {
+      const { speed } = await atTheStand(hand);
+      if (speed === 0) await hand.keyboard.press("0");
+      return speed > 8.2;
+    });
+    await rig.say("pause");
+    await closePage(hand);
+    await pictureDanger("runaway", station);
+  }),
+);
+
+await session(danger("burnt"), (rig) =>
+  inDeepWater(200, async (file) => {
+    rig.server(file);
+    const station = await rig.station("forecastle");
+    const hand = await handAtTheStand(station);
+    const kRidden = 4.5; // m/s
+    let last = 0;
+    await eventually(
+      "the brake burns",
+      async () => {
+        const { speed, lining } = await atTheStand(hand);
+        if (speed > kRidden && speed > last - 0.1) await hand.keyboard.press("ArrowUp");
+        else if (speed < kRidden && speed < last + 0.1) await hand.keyboard.press("ArrowDown");
+        last = speed;
+        return lining >= LiningSeen.LINING_BURNS;
+      },
+      300000,
+    );
+    await rig.say("pause");
+    await closePage(hand);
+    await pictureDanger("burnt", station);
+  }),
+);
+
 // Figure 13 of the paper that the project began with: chain housed, running, anchor down; from the deck and from over
 // the bow; the ship falling astern on her cable and brought up. One sheet of nine.
 const figure13: [string, Is, ...[string, string, string][]][] = [
-  ["start", ({ time }) => time > 1, ["a", "Aft", "housed, on deck"], ["d", "Over the bow", "at the water"]],
+  ["start", ({ status }) => status?.time > 1, ["a", "Aft", "housed, on deck"], ["d", "Over the bow", "at the water"]],
   [...out(16), ["b", "Aft", "running"], ["e", "Over the bow", "running"]],
   [...out(50), ["c", "Aft", "50 m out"], ["f", "Outside", "50 m out"]],
   [...out(120), ["g", "Outside", "120 m out"], ["h", "Under water", "the anchor digs in"]],

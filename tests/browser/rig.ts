@@ -98,7 +98,6 @@ export interface SideTruth {
 }
 /** A side that the ship does not have, or that nobody has told of yet, is not there, whatever the type says. */
 export interface Truth {
-  time: number;
   port: SideTruth;
   starboard: SideTruth;
   ship: { rudder: number; engine: number; bow_thruster: number; stern_thruster: number };

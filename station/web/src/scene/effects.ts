@@ -8,6 +8,17 @@ import { random } from "./noise";
 import { Particles, type Puff } from "./particles";
 
 const kDust: Puff = { life: 0.9, size: 0.06, grows: 0.45, lift: -0.6, drag: 1.2, r: 0.3, g: 0.17, b: 0.1, alpha: 0.2 };
+const kStorm: Puff = {
+  life: 2.4,
+  size: 0.16,
+  grows: 0.75,
+  lift: 0.15,
+  drag: 1.1,
+  r: 0.34,
+  g: 0.2,
+  b: 0.12,
+  alpha: 0.34,
+};
 const kSplash: Puff = { life: 0.9, size: 0.12, grows: 0.7, lift: -7, drag: 0.3, r: 0.9, g: 0.95, b: 0.97, alpha: 0.55 };
 const kFoam: Puff = { life: 3.5, size: 0.5, grows: 0.55, lift: 0, drag: 2, r: 0.85, g: 0.92, b: 0.93, alpha: 0.32 };
 const kSmoke: Puff = {
@@ -22,8 +33,10 @@ const kSmoke: Puff = {
   alpha: 0.4,
 };
 const kBlack: Puff = { life: 4, size: 0.2, grows: 0.75, lift: 1.3, drag: 0.8, r: 0.08, g: 0.08, b: 0.09, alpha: 0.5 };
-const kFlame: Puff = { life: 0.55, size: 0.22, grows: -0.2, lift: 4, drag: 1, r: 1.6, g: 0.62, b: 0.14, alpha: 0.55 };
-const kSpark: Puff = { life: 0.7, size: 0.014, grows: 0, lift: -8, drag: 0.2, r: 5, g: 2.6, b: 0.8, alpha: 1 };
+const kFlame: Puff = { life: 0.55, size: 0.22, grows: -0.2, lift: 4, drag: 1, r: 1.5, g: 0.42, b: 0.05, alpha: 0.6 };
+const kSpark: Puff = { life: 0.7, size: 0.014, grows: 0, lift: -8, drag: 0.2, r: 3, g: 1.1, b: 0.16, alpha: 1 };
+
+const kRunsAway = 5.5; // m/s
 
 export class Effects {
   readonly cover = new Particles(false);
@@ -56,7 +69,7 @@ export class Effects {
     };
     const speed = Math.abs(tackle.cable_speed);
     if (speed > 1.2) {
-      // Rust and mud fly off at the gypsy and where the pipe takes the cable.
+      // Rust and mud fly off at the gypsy and where the pipe takes the cable: a cloud of it where she runs away.
       for (let n = many(9 * (speed - 1)); n > 0; --n) {
         const at = this.next() < 0.6 ? places.gypsy : places.pipe;
         this.cover.add(
@@ -70,6 +83,11 @@ export class Effects {
         );
       }
     }
+    if (speed > kRunsAway)
+      for (let n = many(30 * (speed - kRunsAway + 0.5)); n > 0; --n) {
+        const at = this.next() < 0.5 ? places.gypsy : places.pipe;
+        this.cover.add(kStorm, at.x + r(), at.y + r(), at.z + 0.3 * r(), 2.4 * r(), 2.4 * r(), 1.2 + 1.4 * r());
+      }
     this.entry(tackle, links, origin, speed, many, r, surface);
     if (tackle.lining >= LiningSeen.LINING_SMOKES) {
       const burns = tackle.lining >= LiningSeen.LINING_BURNS;

@@ -32,11 +32,13 @@ export class Particles {
   readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
   private readonly place = new Float32Array(4 * kMost); // x y z size
   private readonly paint = new Float32Array(4 * kMost); // r g b alpha
+  private readonly seed = Float32Array.from({ length: kMost }, (_, i) => (i * 0.618) % 1); // of its shape
   private readonly speed = new Float32Array(3 * kMost);
   private readonly age = new Float32Array(kMost).fill(1e9);
   private readonly born: (Puff | undefined)[] = Array.from({ length: kMost });
   private readonly shownPlace = new InstancedBufferAttribute(new Float32Array(4 * kMost), 4);
   private readonly shownPaint = new InstancedBufferAttribute(new Float32Array(4 * kMost), 4);
+  private readonly shownSeed = new InstancedBufferAttribute(new Float32Array(kMost), 1);
   private next = 0;
 
   constructor(private readonly shines: boolean) {
@@ -48,8 +50,10 @@ export class Particles {
     geometry.setIndex([0, 1, 2, 0, 2, 3]);
     this.shownPlace.setUsage(DynamicDrawUsage);
     this.shownPaint.setUsage(DynamicDrawUsage);
+    this.shownSeed.setUsage(DynamicDrawUsage);
     geometry.setAttribute("place", this.shownPlace);
     geometry.setAttribute("paint", this.shownPaint);
+    geometry.setAttribute("seed", this.shownSeed);
     geometry.instanceCount = 0;
     this.mesh = new Mesh(
       geometry,
@@ -58,11 +62,15 @@ export class Particles {
         vertexShader: `
 attribute vec4 place;
 attribute vec4 paint;
+attribute float seed;
 varying vec2 vAt;
+varying vec2 vShape;
 varying vec4 vPaint;
 varying float vDeep;
 void main() {
   vAt = position.xy;
+  float turn = 6.28 * seed;
+  vShape = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * position.xy * 1.7 + 37.0 * seed;
   vPaint = paint;
   vec4 p = viewMatrix * vec4(place.xyz, 1.0);
   p.xy += position.xy * place.w;
@@ -71,13 +79,21 @@ void main() {
 }`,
         fragmentShader: `
 varying vec2 vAt;
+varying vec2 vShape;
 varying vec4 vPaint;
 varying float vDeep;
 uniform float light;
 uniform float fogDensity;
+float dot1(vec2 at) { return fract(sin(dot(at, vec2(12.9898, 78.233))) * 43758.5453); }
+float lumps(vec2 at) {
+  vec2 i = floor(at), f = fract(at);
+  f *= f * (3.0 - 2.0 * f);
+  return mix(mix(dot1(i), dot1(i + vec2(1.0, 0.0)), f.x), mix(dot1(i + vec2(0.0, 1.0)), dot1(i + 1.0), f.x), f.y);
+}
 void main() {
-  float r = length(vAt);
+  float r = length(vAt) + 0.45 * (lumps(vShape) + 0.5 * lumps(2.3 * vShape) - 0.75); // torn at its edge
   if (r > 1.0) discard;
+  r = max(r, 0.0);
   float soft = (1.0 - r) * (1.0 - r) * (1.0 + 2.0 * r);
   float clear = exp(-pow(fogDensity * vDeep, 2.0));
   float close = smoothstep(0.2, 1.2, vDeep);
@@ -132,15 +148,16 @@ void main() {
         paint[4 * n + k] = this.paint[p + k]!;
       }
       place[4 * n + 3] = puff.size + puff.grows * age;
+      this.shownSeed.array[n] = this.seed[i]!;
       paint[4 * n + 3] = puff.alpha * Math.min(1, 8 * t) * (1 - t);
       ++n;
     }
     this.mesh.visible = n > 0;
     this.mesh.geometry.instanceCount = n;
     if (n === 0) return;
-    for (const attribute of [this.shownPlace, this.shownPaint]) {
+    for (const attribute of [this.shownPlace, this.shownPaint, this.shownSeed]) {
       attribute.clearUpdateRanges();
-      attribute.addUpdateRange(0, 4 * n);
+      attribute.addUpdateRange(0, attribute.itemSize * n);
       attribute.needsUpdate = true;
     }
     const u = this.mesh.material.uniforms;

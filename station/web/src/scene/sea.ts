@@ -39,6 +39,9 @@ export class Sea {
       wind: { value: new Vector2(0, -1) },
       windSpeed: { value: 5 },
       origin: { value: new Vector2() },
+      shipMiddle: { value: new Vector2() },
+      shipAhead: { value: new Vector2(0, 1) },
+      shipHalf: { value: new Vector3(1, 1, 0) },
       lamp: { value: new Vector3() },
       lampStrength: { value: 0 },
       light: { value: 1 },
@@ -60,6 +63,13 @@ export class Sea {
     );
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = 2;
+  }
+
+  /** The ship that lies in it: m from the origin, rad clockwise from north; half length, half breadth and height, m. */
+  setShip(x: number, y: number, heading: number, half: readonly [number, number, number]): void {
+    this.uniforms.shipMiddle.value.set(x, y);
+    this.uniforms.shipAhead.value.set(Math.sin(heading), Math.cos(heading));
+    this.uniforms.shipHalf.value.set(...half);
   }
 
   /**
@@ -180,8 +190,23 @@ uniform vec3 lamp;
 uniform vec3 fogTint;
 uniform vec3 deepWater;
 uniform float lampStrength;
+uniform vec2 shipMiddle;
+uniform vec2 shipAhead;
+uniform vec3 shipHalf;
 ${kSkyColour}
 ${kToScreen}
+// how much of the light from there the ship keeps off: she is an upright wall round an ellipse
+float behindShip(vec3 towards) {
+  vec2 from = vPlace.xy - shipMiddle;
+  vec2 port = vec2(-shipAhead.y, shipAhead.x);
+  vec2 o = vec2(dot(from, shipAhead), dot(from, port)) / shipHalf.xy;
+  vec2 d = vec2(dot(towards.xy, shipAhead), dot(towards.xy, port)) / shipHalf.xy;
+  float a = max(dot(d, d), 1e-9), b = dot(o, d), o2 = dot(o, o);
+  float passes = b < 0.0 ? o2 - b * b / a : o2; // the least distance from her middle, squared
+  float far = max(0.0, (-b - sqrt(max(b * b - a * (o2 - 1.0), 0.0))) / a);
+  return (1.0 - smoothstep(0.6, 1.0, passes)) *
+    (1.0 - smoothstep(0.7, 1.3, (vPlace.z + far * towards.z) / max(shipHalf.z, 0.01)));
+}
 void main() {
   vec2 p = vPlace.xy + origin;
   vec2 across = vec2(-wind.y, wind.x);
@@ -209,24 +234,30 @@ void main() {
   vec3 mirrored = reflect(-v, n);
   mirrored.z = abs(mirrored.z) + 0.02;
   mirrored = normalize(mirrored);
-  vec3 sky = skyColour(mirrored);
-  vec3 deep = deepWater;
+  float hull = behindShip(mirrored);
+  vec3 sky = mix(skyColour(mirrored), deepWater * 0.8, hull);
+  vec3 deep = deepWater * (1.0 - 0.4 * (1.0 - dark) * behindShip(sunTowards));
   deep += vec3(0.0, 0.03, 0.026) * light * clamp(0.5 + 0.7 * vCrest, 0.0, 1.5) * 0.6;
   // slopes towards the light are brighter, even straight down
   deep *= 1.0 + 1.6 * clamp(dot(ripple + vSlope, -sunTowards.xy), -0.35, 0.5);
   vec3 c = mix(deep, sky, fresnel);
   float glint = exp2(260.0 * (dot(mirrored, sunTowards) - 1.0));
-  c += sunColour * sunStrength * glint * 0.9;
+  c += sunColour * sunStrength * glint * 0.9 * (1.0 - hull);
   // foam where it blows
-  float caps = smoothstep(7.0, 18.0, windSpeed);
+  float caps = smoothstep(6.0, 20.0, windSpeed);
   if (caps > 0.0) {
-    float f = texture2D(noise, p * 0.013 + wind * time * 0.004).r * 0.6 + texture2D(noise, p * 0.11).b * 0.4;
-    float foam = smoothstep(0.66 - 0.08 * caps, 0.76, f + 0.07 * vCrest) * caps;
-    c = mix(c, vec3(0.8) * (0.12 + light), 0.65 * foam);
+    // crests that topple, and from force 7 streaks along the wind; from afar, what they come to
+    float f = texture2D(noise, q * vec2(0.021, 0.013) - vec2(time * 0.004, 0.0)).r * 0.6 + texture2D(noise, p * 0.11).b * 0.4;
+    float foam = smoothstep(0.66 - 0.15 * caps, 0.78 - 0.1 * caps, f + 0.07 * vCrest);
+    float streak = texture2D(noise, q * vec2(0.008, 0.06)).r * 0.6 + texture2D(noise, q * vec2(0.06, 0.23)).b * 0.4;
+    foam = max(foam, 0.45 * smoothstep(0.5, 0.75, streak) * smoothstep(13.0, 21.0, windSpeed));
+    foam = mix(foam, 0.16 * caps, clamp(distance * 0.0012 - 0.2, 0.0, 0.9));
+    c = mix(c, vec3(0.8) * (0.12 + light), 0.75 * foam * caps);
   }
   if (lampStrength > 0.0) {
     vec3 to = lamp - vPlace;
-    float near = lampStrength / (1.0 + 0.0025 * dot(to, to));
+    // near by her own rail keeps them off
+    float near = lampStrength / (1.0 + 0.0025 * dot(to, to)) * smoothstep(1.4, 2.2, length(to.xy) / max(to.z, 0.1));
     c += vec3(1.0, 0.9, 0.72) * near * (0.025 + 0.5 * exp2(58.0 * (dot(mirrored, normalize(to)) - 1.0)));
   }
   float alpha = 0.82 + 0.18 * min(1.0, 3.0 * fresnel);

@@ -102,6 +102,7 @@ export class ShipScene {
   private origin: [number, number, number] | undefined;
   private drift = 0; // s, that ripples, clouds and flag go on by
   private readonly bow: V3;
+  private readonly half: V3; // m: half her length and beam, and her deck's height
   private readonly scratch = new Vector3();
   private readonly toBody = new Matrix4();
   private readonly up = new Vector3();
@@ -136,6 +137,7 @@ export class ShipScene {
     this.cameras = new Cameras(canvas, railBreadth(description, deck));
     const foc = 0.5 * description.length_overall - kForecastle;
     this.bow = [0.5 * description.length_overall, 0, deck];
+    this.half = [0.5 * description.length_overall, 0.5 * description.beam, deck];
     const [noise, ripples] = this.textures as [Texture, Texture];
     this.sky = new Sky(this.skyUniforms, noise);
     this.sea = new Sea(this.skyUniforms, ripples, noise, this.quality);
@@ -435,6 +437,8 @@ export class ShipScene {
     this.sky.mesh.visible = !under;
     this.sky.show(this.drift);
     this.seabed.show(this.subject.x + origin[0]!, this.subject.y + origin[1]!, origin, under, this.drift);
+    const { ship } = frame;
+    this.sea.setShip(ship.x - origin[0]!, ship.y - origin[1]!, ship.heading, this.half);
     this.lampAt.set(this.bow[0] - 20, 0, this.bow[2] + 7).applyMatrix4(this.ship.matrix);
     this.sea.show(
       this.quality.sea === "flat" ? undefined : this.seaState,
