@@ -1,9 +1,9 @@
 // Feeds the plan with what the bridge knows: GPS and gyro, the chart, her own plotted anchors and circles.
 
+import { layChart } from "../plan/chart";
 import type { PlanCircle, PlanMark } from "../plan/picture";
 import type { PlanView } from "../plan/plan_view";
 import { waterline } from "../plan/hull_outline";
-import { soilLetter } from "../kit/words";
 import { clock, sideWord } from "../kit/units";
 import type { Connection } from "../wire/connection";
 import type { BridgeView } from "../wire/generated";
@@ -40,12 +40,7 @@ export class PlanFeed {
     this.kept = new Kept<number[]>(link, "track", () => [], trackUpTo);
     this.kept.onChange((track) => (this.track = track));
     link.on("SceneDescription", (scene) => (this.outline = waterline(scene.hull_corners, scene.hull_triangles)));
-    link.on("Chart", ({ soundings }) =>
-      plan.update({
-        soundings: soundings.map((s) => ({ x: s.x, y: s.y, depth: s.depth, letter: soilLetter(s.soil) })),
-      }),
-    );
-    link.on("Landmarks", (landmarks) => plan.update({ landmarks }));
+    layChart(link, plan);
     link.on("BridgeView", (view) => this.follow(view));
     plan.onCircle((id, radius) => id === "watch" && watch.setRadius(radius));
   }

@@ -1,6 +1,7 @@
 // The plan as the instructor sees it: ship and cables as they are, her track, anchors now and where they were let go.
 
 import { everySecond } from "../kit/page";
+import { layChart } from "../plan/chart";
 import { waterline } from "../plan/hull_outline";
 import type { PlanCircle, PlanLine, PlanMark } from "../plan/picture";
 import { PlanView } from "../plan/plan_view";
@@ -61,7 +62,7 @@ export class PlanFeed {
       this.outline = waterline(scene.hull_corners, scene.hull_triangles);
       this.length = scene.length_overall;
     });
-    link.on("Landmarks", (landmarks) => this.view.update({ landmarks }));
+    layChart(link, this.view);
     events.onChange((event) => event && this.hear("Event", event));
     // By the samples' times: those of the past come all at once.
     link.on("ShipState", (ship) => this.hear("ShipState", ship));

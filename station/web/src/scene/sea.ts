@@ -247,7 +247,8 @@ void main() {
   float caps = smoothstep(6.0, 20.0, windSpeed);
   if (caps > 0.0) {
     // crests that topple, and from force 7 streaks along the wind; from afar, what they come to
-    float f = texture2D(noise, q * vec2(0.021, 0.013) - vec2(time * 0.004, 0.0)).r * 0.6 + texture2D(noise, p * 0.11).b * 0.4;
+    float patches = texture2D(noise, q * vec2(0.021, 0.013) - vec2(time * 0.004, 0.0)).r;
+    float f = 0.6 * patches + 0.4 * texture2D(noise, p * 0.11).b;
     float foam = smoothstep(0.66 - 0.15 * caps, 0.78 - 0.1 * caps, f + 0.07 * vCrest);
     float streak = texture2D(noise, q * vec2(0.008, 0.06)).r * 0.6 + texture2D(noise, q * vec2(0.06, 0.23)).b * 0.4;
     foam = max(foam, 0.45 * smoothstep(0.5, 0.75, streak) * smoothstep(13.0, 21.0, windSpeed));
