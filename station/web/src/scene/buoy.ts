@@ -1,4 +1,4 @@
-// Buoys as one sees them, by IALA's colours, shapes and topmarks. They stand still in the water.
+// Buoys as one sees them, by IALA's colours, shapes and topmarks.
 
 import { CylinderGeometry, Matrix4 } from "three";
 import type { Buoy, Paint, Topmark } from "../surroundings/buoyage";

@@ -64,6 +64,13 @@ void main() {
     this.lit.needsUpdate = true;
   }
 
+  /** Moves one of them, by its number; m in the parent's frame. */
+  move(which: number, at: V3): void {
+    const places = this.mesh.geometry.getAttribute("position");
+    places.setXYZ(which, ...at);
+    places.needsUpdate = true;
+  }
+
   /** dark: 0 day .. 1 night; pixels: of one radian; fogDensity: as of FogExp2. */
   show(dark: number, pixels: number, fogDensity: number): void {
     const u = this.mesh.material.uniforms;

@@ -10,8 +10,9 @@ import {
   LandmarkKind,
   type Landmarks,
   LightColour,
+  type SeaState,
 } from "../wire/generated";
-import { buoy } from "./buoy";
+import { Buoys } from "./buoys";
 import { type Lamp, LampHalos } from "./lamp_halos";
 import { type Materials, type Painted, kPaint } from "./materials";
 import { Solid } from "./solid";
@@ -31,6 +32,7 @@ const kBoard = [3, 12] as const; // m, of a beacon's board, least and most: as l
 /** What is drawn of one sample. */
 interface Drawn {
   mesh: Mesh;
+  buoys: Buoys;
   shore: LampHalos; // what burns all night
   lights: LampHalos; // of the marks, one for each
   marks: readonly Landmark[];
@@ -58,14 +60,27 @@ export class LandmarksScene {
       ...landmarks.ships.flatMap(anchorLights),
     ]);
     const lights = new LampHalos(landmarks.marks.map(lampOf));
-    this.group.add(mesh, shore.mesh, lights.mesh);
-    this.drawn = { mesh, shore, lights, marks: landmarks.marks };
+    const afloat = landmarks.marks.flatMap((mark) => {
+      const looks = buoyOf(mark.kind, landmarks.region_b);
+      return looks ? [{ mark, looks }] : [];
+    });
+    const buoys = new Buoys(afloat, this.paint);
+    this.group.add(mesh, buoys.mesh, shore.mesh, lights.mesh);
+    this.drawn = { mesh, buoys, shore, lights, marks: landmarks.marks };
   }
 
-  /** time: s, of the exercise; the rest as LampHalos.show() has it. */
-  show(time: number, dark: number, pixels: number, fogDensity: number): void {
+  /** eye: m, world; time: s, of the exercise; sea: that buoys ride on; the rest as LampHalos.show() has it. */
+  show(
+    [x, y]: readonly [number, number],
+    time: number,
+    sea: SeaState | undefined,
+    dark: number,
+    pixels: number,
+    fogDensity: number,
+  ): void {
     if (!this.drawn) return;
-    const { shore, lights, marks } = this.drawn;
+    const { buoys, shore, lights, marks } = this.drawn;
+    buoys.ride(sea, x, y, time, (mark, at) => lights.move(marks.indexOf(mark), at));
     shore.show(dark, pixels, fogDensity);
     marks.forEach((mark, k) => lights.light(k, flashes(mark, time)));
     lights.show(dark, pixels, fogDensity);
@@ -74,6 +89,7 @@ export class LandmarksScene {
   dispose(): void {
     this.group.clear();
     this.drawn?.mesh.geometry.dispose();
+    this.drawn?.buoys.dispose();
     this.drawn?.shore.dispose();
     this.drawn?.lights.dispose();
     this.drawn = undefined;
@@ -85,9 +101,8 @@ function built(all: Landmarks): Solid {
   for (const coast of all.coasts) hills(solid, coast);
   for (const ship of all.ships) anchored(solid, ship);
   all.marks.forEach((mark, k) => {
-    const looks = buoyOf(mark.kind, all.region_b);
-    if (looks) buoy(solid, mark, looks);
-    else if (mark.kind === LandmarkKind.LANDMARK_LIGHTHOUSE) lighthouse(solid, mark);
+    if (isBuoy(mark.kind)) return; // they ride on the sea
+    if (mark.kind === LandmarkKind.LANDMARK_LIGHTHOUSE) lighthouse(solid, mark);
     else if (mark.kind === LandmarkKind.LANDMARK_TOWER) tower(solid, mark);
     else beacon(solid, mark, transitOf(all, k));
   });

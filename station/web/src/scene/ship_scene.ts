@@ -263,7 +263,15 @@ export class ShipScene {
     this.surround(frame, origin, under);
     const pixels = this.renderer.domElement.height / (2 * Math.tan((this.eye.fov * Math.PI) / 360));
     this.halos.show(under ? 0 : this.light.dark, pixels, this.light.fog.density);
-    this.landmarks.show(frame.time, under ? 0 : this.light.dark, pixels, this.light.fog.density);
+    const { x, y } = this.eye.position;
+    this.landmarks.show(
+      [x + origin[0], y + origin[1]],
+      frame.time,
+      this.seaDrawn,
+      under ? 0 : this.light.dark,
+      pixels,
+      this.light.fog.density,
+    );
     this.signals.show(under ? undefined : frame.shows, this.light.dark, pixels, this.light.fog.density);
     const loads = this.showLoads ? this.tensions : undefined;
     loads?.follow(frame, begin);
@@ -280,6 +288,10 @@ export class ShipScene {
     if (this.showLoads) this.renderer.render(this.hud, this.hudEye);
     this.pace?.given(begin);
     this.clock.took(performance.now() - begin);
+  }
+
+  private get seaDrawn(): SeaState | undefined {
+    return this.quality.sea === "flat" ? undefined : this.seaState;
   }
 
   /** With what is secured on the side that the exercise does not speak of. */
@@ -441,7 +453,7 @@ export class ShipScene {
     this.sea.setShip(ship.x - origin[0]!, ship.y - origin[1]!, ship.heading, this.half);
     this.lampAt.set(this.bow[0] - 20, 0, this.bow[2] + 7).applyMatrix4(this.ship.matrix);
     this.sea.show(
-      this.quality.sea === "flat" ? undefined : this.seaState,
+      this.seaDrawn,
       this.eye.position,
       origin,
       frame.time,

@@ -87,6 +87,11 @@ export class Solid {
     return this.add(geometry, colour);
   }
 
+  /** How many corners it has so far. */
+  get corners(): number {
+    return this.positions.length / 3;
+  }
+
   build(): BufferGeometry {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(this.positions), 3));

@@ -9,6 +9,14 @@ type Rhythm = Pick<Landmark, "light" | "period" | "flashes">;
 const kVeryQuick = 0.75; // s from flash to flash, at most: 80 flashes a minute (IALA, rhythmic characters)
 const kQuick = 1.2; // s, the same: 50 a minute
 const kLong = 2; // s that a long flash lasts at least
+const kDash = [2.5, 4] as const; // times a dot, of Morse code: three as it is sent
+const kGroupsApart = 1.5; // times what flashes of one group lie apart, from where groups do
+
+/** Letters by dots and dashes, of lights that send one: a safe water mark A, what stands off the shore U. */
+const kMorse: Readonly<Record<string, string>> = {
+  ".-": "A", "-...": "B", "-.-.": "C", "-..": "D", "..-.": "F", "--.": "G", "-.-": "K", ".-..": "L", "-.": "N",
+  ".--.": "P", "--.-": "Q", ".-.": "R", "..-": "U", "...-": "V", ".--": "W", "-..-": "X", "-.--": "Y", "--..": "Z",
+}; // prettier-ignore
 
 const kLetters: Record<LightColour, string> = {
   [LightColour.LIGHT_NONE]: "",
@@ -56,11 +64,34 @@ function rhythm({ period, flashes }: Rhythm): string {
   const group = (name: string, n = flashes.length): string => (n > 1 ? `${name}(${n})` : name);
   if (flashes.length === 1 && Math.abs(2 * lit - period) < 0.1 * period) return "Iso";
   if (2 * lit > period) return group("Oc");
+  const letter = morse(flashes);
+  if (letter) return `Mo(${letter})`;
   const last = flashes.at(-1)!;
   const endsLong = flashes.length > 1 && last.duration >= kLong; // a south cardinal's
   const short = endsLong ? flashes.slice(0, -1) : flashes;
   // From the first flash to the next one, which is the next period's where there is one only.
   const apart = (short.length > 1 ? short[1]!.begin : short[0]!.begin + period) - short[0]!.begin;
   const name = apart <= kVeryQuick ? "VQ" : apart <= kQuick ? "Q" : short[0]!.duration >= kLong ? "LFl" : "Fl";
+  const groups = endsLong ? [] : groupsOf(short);
+  if (groups.length > 1) return `${name}(${groups.join("+")})`;
   return group(name, short.length) + (endsLong ? "+LFl" : "");
+}
+
+/** The letter that its dots and dashes are; undefined: they are none. */
+function morse(flashes: Rhythm["flashes"]): string | undefined {
+  const dot = Math.min(...flashes.map(({ duration }) => duration));
+  const dash = Math.max(...flashes.map(({ duration }) => duration));
+  if (dash < kDash[0] * dot || dash > kDash[1] * dot) return undefined;
+  return kMorse[flashes.map(({ duration }) => (duration > 0.5 * (dot + dash) ? "-" : ".")).join("")];
+}
+
+/** How many flashes each group of a period has: 2 and 1 of a composite group. */
+function groupsOf(flashes: Rhythm["flashes"]): number[] {
+  const apart = flashes.slice(1).map(({ begin }, k) => begin - flashes[k]!.begin);
+  const within = Math.min(...apart);
+  const groups = [1];
+  for (const gap of apart)
+    if (gap > kGroupsApart * within) groups.push(1);
+    else ++groups[groups.length - 1]!;
+  return groups;
 }

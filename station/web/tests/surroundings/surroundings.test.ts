@@ -69,6 +69,19 @@ test("a rhythm is named by how long and how often it burns", () => {
   assert.equal(character({ ...south, flashes: [...south.flashes, { begin: 7, duration: 2 }] }), "Q(6)+LFl 15s");
 });
 
+test("groups of groups and Morse letters are named as the chart does", () => {
+  const of = (period: number, ...burns: [begin: number, duration: number][]): string =>
+    character({
+      ...buoy(period, 0, 0, 0),
+      flashes: burns.map(([begin, duration]) => ({ begin, duration: Math.fround(duration) })),
+    });
+  assert.equal(of(15, [0, 0.5], [2, 0.5], [6, 0.5]), "Fl(2+1) 15s"); // a preferred channel
+  assert.equal(of(20, [0, 0.5], [2, 0.5], [4, 0.5], [8, 0.5]), "Fl(3+1) 20s");
+  assert.equal(of(8, [0, 0.5], [1, 1.5]), "Mo(A) 8s"); // safe water
+  assert.equal(of(15, [0, 0.4], [0.8, 0.4], [1.6, 1.2]), "Mo(U) 15s"); // what stands off the shore
+  assert.equal(of(15, [0, 1], [3, 1], [6, 1]), "Fl(3) 15s");
+});
+
 test("lateral colours change places in region B, their shapes do not", () => {
   const looks = (kind: LandmarkKind, regionB: boolean): string[] => {
     const { body, paint, topmarks } = buoyOf(kind, regionB)!;
