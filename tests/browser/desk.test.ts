@@ -291,6 +291,35 @@ test("loads and the cable's speed are shown in the units that are chosen, everyw
   await page.keyboard.press("Escape");
 });
 
+test("the plan has the chart that bridges have", async () => {
+  const soundings = await page.evaluate(() => window.windlass.link.latest("Chart").soundings.map(({ depth }) => depth));
+  assert.ok(soundings.length > 50 && soundings.every((depth) => depth > 0), `${soundings.length} soundings`);
+});
+
+test("forces are drawn over the scene on a switch of the desk, which no trainee's page has", async () => {
+  const arrows = page.locator("canvas.forces");
+  await button("3D").click();
+  await eventually("the scene", () => arrows.count());
+  assert.equal(await arrows.isVisible(), false);
+  await button("Forces").click();
+  // what pulls, in its colour: the anchor hangs on the brake or at home
+  await eventually("an arrow", () =>
+    arrows.evaluate((canvas: HTMLCanvasElement) => {
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      for (let i = 0; i < data.length; i += 4)
+        if (data[i] === 0xe6 && data[i + 1] === 0x9f && data[i + 2] === 0 && data[i + 3] === 255) return true;
+      return false;
+    }),
+  );
+  await button("Forces").click();
+  assert.equal(await arrows.isVisible(), false);
+  await button("Plan").click();
+  const seat = await openPage((await rig.station("ship", { name: "looker" })).url);
+  await eventually("a seat's picture", () => seat.getByRole("button", { name: "Over the bow" }).isVisible());
+  assert.equal(await seat.getByRole("button", { name: "Forces" }).count(), 0);
+  await closePage(seat);
+});
+
 test("a room is shown pictures, plots and large figures on the full screen, and no levers", async () => {
   const figures = page.getByRole("region", { name: "loads and forces" });
   assert.equal(await figures.isVisible(), false);

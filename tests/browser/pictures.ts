@@ -195,6 +195,27 @@ for (const [weather, says] of Object.entries(weathers)) {
   });
 }
 
+// The instructor's: forces as arrows, and the plan over uneven ground.
+const deskPictures = { "views/desk_forces.jpg": "3D", "views/desk_plan.jpg": "Plan" };
+for (const [name, shown] of Object.entries(deskPictures))
+  await session([name], async (rig) => {
+    rig.server(shown === "3D" ? "at_anchor_25m" : "uneven_ground", "--time-scale", "4");
+    await rig.say("environment", ...weathers.gale, "--timeout", "60");
+    await rig.truly("she rides to it", (now) => now.status?.time > kSettles);
+    await rig.say("pause");
+    const page = await look(still((await rig.desk()).url, "/instructor"), { init: asByACard });
+    await picture(page, name, async () => {
+      await page.getByRole("button", { name: shown, exact: true }).click();
+      if (shown !== "3D") return page.getByRole("button", { name: "Fit" }).click();
+      await page.getByRole("button", { name: "t, m/min" }).click();
+      await page.getByRole("radio", { name: /^kN/ }).check();
+      await page.keyboard.press("Escape");
+      await page.getByRole("button", { name: "Forces", exact: true }).click();
+      await page.getByRole("button", { name: "Full screen", exact: true }).click();
+      await page.getByRole("button", { name: "Plots", exact: true }).click();
+    });
+  });
+
 // Danger: a cable that runs away, and a brake that was ridden until it burns. Both in deep water, by the page's own keys.
 
 /** An exercise of ours in so deep water, m, without its lesson, while work() has its file. */

@@ -1,4 +1,5 @@
-// The scene from anywhere, with the loads drawn on the chain: the truth, as only an instructor sees it.
+// The scene from anywhere, with the loads drawn on the chain and forces as arrows: the truth, as only an instructor
+// sees it.
 
 import { h, setAttribute } from "../kit/dom";
 import { everyFrame } from "../kit/page";
@@ -7,6 +8,7 @@ import { frameOfTruth } from "../scene/from_truth";
 import { type CameraName, ShipScene } from "../scene/ship_scene";
 import type { SceneDescription } from "../wire/generated";
 import type { Desk } from "./desk";
+import { ForceArrows, forces } from "./forces";
 import { language, t } from "../kit/language";
 
 const cameras: readonly (readonly [CameraName, string])[] = [
@@ -26,6 +28,8 @@ export class SceneView {
   private canvas = h("canvas", { role: "img" });
   private readonly message = h("p", { class: "scene-message" }, t("Waiting for the ship ..."));
   private readonly loads: HTMLButtonElement;
+  private readonly forces: HTMLButtonElement;
+  private readonly arrows = new ForceArrows();
   private scene: ShipScene | undefined;
   private shown: bigint | undefined; // definition of what the scene shows
   private camera: CameraName = "outside";
@@ -54,12 +58,19 @@ export class SceneView {
       { class: "chip", "aria-pressed": "true", onclick: () => this.toggleLoads() },
       t("Loads on chain"),
     );
+    this.forces = h(
+      "button",
+      { class: "chip", "aria-pressed": "false", onclick: () => this.toggleForces() },
+      t("Forces"),
+    );
+    this.arrows.element.hidden = true;
     this.element = h(
       "div",
       { class: "view scene-view" },
       this.canvas,
+      this.arrows.element,
       this.message,
-      h("div", { class: "chips over", role: "group", "aria-label": t("camera") }, ...buttons, this.loads),
+      h("div", { class: "chips over", role: "group", "aria-label": t("camera") }, ...buttons, this.loads, this.forces),
     );
     look("outside");
     desk.link.on("SceneDescription", (description) => this.build(description));
@@ -78,6 +89,12 @@ export class SceneView {
     const on = this.loads.getAttribute("aria-pressed") !== "true";
     setAttribute(this.loads, "aria-pressed", `${on}`);
     if (this.scene) this.scene.showLoads = on;
+  }
+
+  private toggleForces(): void {
+    const on = this.forces.getAttribute("aria-pressed") !== "true";
+    setAttribute(this.forces, "aria-pressed", `${on}`);
+    this.arrows.element.hidden = !on;
   }
 
   private build(description: SceneDescription): void {
@@ -111,6 +128,8 @@ export class SceneView {
   private draw(now: number): void {
     if (!this.scene || !this.visible || this.desk.link.state !== "open") return;
     const frame = frameOfTruth(this.desk.link, now);
-    if (frame) this.scene.draw(frame);
+    if (!frame) return;
+    this.scene.draw(frame);
+    if (!this.arrows.element.hidden) this.arrows.draw(this.scene, forces(this.desk.link, this.scene, frame));
   }
 }

@@ -33,7 +33,7 @@ import { Materials } from "./materials";
 import { noiseTexture, rippleTexture } from "./noise";
 import { Pace } from "./pace";
 import { FrameClock, type Quality, type QualityName, QualityWatch, kQuality, qualityOf } from "./quality";
-import { deckHeight } from "./rig";
+import { type Rig, deckHeight } from "./rig";
 import { SceneLight } from "./scene_light";
 import { Sea } from "./sea";
 import { Seabed } from "./seabed";
@@ -321,6 +321,25 @@ export class ShipScene {
     const origin = this.origin;
     if (!tackle || !origin) return new Float32Array(0);
     return tackle.links.middle.slice(0, 3 * tackle.links.count).map((v, i) => v + origin[i % 3]!);
+  }
+
+  /** Of a side's windlass, m, body frame; undefined: the ship has none there. */
+  gear(side: number): Rig | undefined {
+    return this.tackle.find((t) => t.side === side)?.rig;
+  }
+
+  /**
+   * Where a place (m, of the world or of the ship's body frame) is in the last picture: px of the canvas, and m from the
+   * eye. undefined: behind it.
+   */
+  onCanvas(at: V3, frame: "world" | "ship"): { x: number; y: number; far: number } | undefined {
+    const p = this.scratch.set(...at);
+    if (frame === "ship") p.applyMatrix4(this.ship.matrix);
+    else if (this.origin) p.set(at[0] - this.origin[0], at[1] - this.origin[1], at[2] - this.origin[2]);
+    const far = p.distanceTo(this.eye.position);
+    if (p.applyMatrix4(this.eye.matrixWorldInverse).z > -this.eye.near) return undefined;
+    p.applyMatrix4(this.eye.projectionMatrix);
+    return { x: 0.5 * (1 + p.x) * this.canvas.clientWidth, y: 0.5 * (1 - p.y) * this.canvas.clientHeight, far };
   }
 
   /** Where the eye was in the last picture, m, and where it looked, unit vector: ship's body frame. */
