@@ -250,7 +250,8 @@ void main() {
     float patches = texture2D(noise, q * vec2(0.021, 0.013) - vec2(time * 0.004, 0.0)).r;
     float f = 0.6 * patches + 0.4 * texture2D(noise, p * 0.11).b;
     float foam = smoothstep(0.66 - 0.15 * caps, 0.78 - 0.1 * caps, f + 0.07 * vCrest);
-    float streak = texture2D(noise, q * vec2(0.008, 0.06)).r * 0.6 + texture2D(noise, q * vec2(0.06, 0.23)).b * 0.4;
+    float wide = texture2D(noise, q * vec2(0.008, 0.06)).r;
+    float streak = 0.6 * wide + 0.4 * texture2D(noise, q * vec2(0.06, 0.23)).b;
     foam = max(foam, 0.45 * smoothstep(0.5, 0.75, streak) * smoothstep(13.0, 21.0, windSpeed));
     foam = mix(foam, 0.16 * caps, clamp(distance * 0.0012 - 0.2, 0.0, 0.9));
     c = mix(c, vec3(0.8) * (0.12 + light), 0.75 * foam * caps);

@@ -329,8 +329,8 @@ export class ShipScene {
   }
 
   /**
-   * Where a place (m, of the world or of the ship's body frame) is in the last picture: px of the canvas, and m from the
-   * eye. undefined: behind it.
+   * Where a place (m, of the world or of the ship's body frame) is in the last picture: px of the canvas, and m from
+   * the eye. undefined: behind it.
    */
   onCanvas(at: V3, frame: "world" | "ship"): { x: number; y: number; far: number } | undefined {
     const p = this.scratch.set(...at);
