@@ -214,6 +214,30 @@ Trainee ClassBook::join(const std::string& id, const std::string& name, const st
     throw Denied(409, "every seat of this class is taken");
 }
 
+const TrainingClass* ClassBook::with_seat(int exercise, Place place) const {
+    const auto has = [&](const TrainingClass& each) {
+        const auto places = places_of(each.crew);
+        return !each.over && exercise >= 1 && static_cast<std::size_t>(exercise) <= each.exercises.size() &&
+               std::ranges::find(places, place) != places.end();
+    };
+    const auto found = std::find_if(classes_.rbegin(), classes_.rend(), has);
+    return found == classes_.rend() ? nullptr : &*found;
+}
+
+Trainee ClassBook::sit(const std::string& id, const std::string& name, const std::string& key, int exercise,
+                       Place place) {
+    TrainingClass& its_class = mine(id);
+    const std::string& there = its_class.exercises.at(static_cast<std::size_t>(exercise - 1));
+    if (!its_class.names.empty() && std::ranges::find(its_class.names, name) == its_class.names.end())
+        throw Denied(403, "this class has a list of names: take a seat by its code");
+    for (const Trainee& each : its_class.trainees) {
+        if (each.name == name) throw Denied(409, name + " has a seat in this class already");
+        if (each.exercise == there && each.place == place) throw Denied(409, each.name + " sits here");
+    }
+    return its_class.trainees.emplace_back(
+        Trainee{.name = name, .key = key, .exercise = there, .place = place});
+}
+
 std::optional<ClassBook::Seated> ClassBook::seated(const std::string& key) const {
     for (const TrainingClass& each : classes_)
         for (const Trainee& one : each.trainees)

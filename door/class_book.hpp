@@ -95,6 +95,13 @@ public:
     /// has one already, the name is not on the class's list, or none is free.
     Trainee join(const std::string& id, const std::string& name, const std::string& key);
 
+    /// A device's own seat: of the class that was opened last, of those under way whose exercise of that
+    /// number, counted from 1, has that place. nullptr: none has.
+    const TrainingClass* with_seat(int exercise, Place place) const;
+    /// It sits there. Throws Denied when the seat or the name is somebody's, or the class has a list.
+    Trainee sit(const std::string& id, const std::string& name, const std::string& key, int exercise,
+                Place place);
+
     /// Whose browser that is: class and trainee, while the class is not over.
     struct Seated {
         std::string class_id;

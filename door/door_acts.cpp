@@ -86,6 +86,14 @@ void not_too_often(const Attempts& attempts, const std::string& key) {
         throw Denied(429, fmt::format("too many were wrong: try again in {:.0f} s", wait + 1));
 }
 
+constexpr int kDay = 24 * 3600;        // s
+constexpr int kKioskGood = 400 * kDay; // as long as browsers keep a cookie at all
+
+std::string cookie(Way way, const char* name, const std::string& secret, int age) {
+    return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict; Max-Age={}{}", name, secret, age,
+                       way == Way::tls ? "; Secure" : "");
+}
+
 } // namespace
 
 void DoorHost::ask(const std::string& target, const Who& who, const Reply& reply) {
@@ -94,6 +102,7 @@ void DoorHost::ask(const std::string& target, const Who& who, const Reply& reply
     if (!who.staff) return reply(refused(who.trainee ? 403 : 401, "this is for instructors: log in"));
     if (path == "/door/classes") return reply(answer(classes()));
     if (path == "/door/people" && who.staff->rank == Rank::owner) return reply(answer(people()));
+    if (path == "/door/kiosks" && who.staff->rank == Rank::owner) return reply(answer(kiosks()));
     if (path == "/door/lessons" && options_.lessons)
         return slow_.add<json>(
             options_.lessons, [](const json& list) { return answer(list); }, reply);
@@ -137,10 +146,13 @@ void DoorHost::act(const std::string& path, const std::string& body, const Who& 
         if (path == "/door/login") return log_in(who, asked, reply);
         if (path == "/door/setup") return set_up(who, asked, reply);
         if (path == "/door/logout") return reply(log_out(who));
+        if (path == "/door/device") return reply(open_kiosk(who, asked));
+        if (path == "/door/sit") return reply(sit(who));
         if (!who.staff) throw Denied(who.trainee ? 403 : 401, "this is for instructors: log in");
         if (path == "/door/class" && leads(who.staff->rank)) return reply(lead(who, asked));
         if (path == "/door/people" && who.staff->rank == Rank::owner) return let_in(who, asked, reply);
-        if (path == "/door/class" || path == "/door/people")
+        if (path == "/door/kiosks" && who.staff->rank == Rank::owner) return reply(keep_kiosks(who, asked));
+        if (path == "/door/class" || path == "/door/people" || path == "/door/kiosks")
             throw Denied(403, std::string("not for ") + name_of(who.staff->rank));
         throw Denied(404, "nobody does that here");
     } catch (const Denied& denied) {
@@ -151,11 +163,9 @@ void DoorHost::act(const std::string& path, const std::string& body, const Who& 
 }
 
 Verdict DoorHost::with_cookie(const Who& who, const std::string& secret, json body) const {
-    constexpr int kDay = 24 * 3600;
     Verdict verdict = answer(body);
-    verdict.headers = {{"Set-Cookie", fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict; Max-Age={}{}",
-                                                  cookie_name(who.way), secret, secret.empty() ? 0 : kDay,
-                                                  who.way == Way::tls ? "; Secure" : "")}};
+    verdict.headers = {
+        {"Set-Cookie", cookie(who.way, cookie_name(who.way), secret, secret.empty() ? 0 : kDay)}};
     return verdict;
 }
 
@@ -201,6 +211,102 @@ Verdict DoorHost::join(const Who& who, const json& asked) {
     now.key = key;
     now.trainee = book_.seated(key);
     return with_cookie(who, secret, me(now));
+}
+
+/// A device is that kiosk's from now on.
+Verdict DoorHost::open_kiosk(const Who& who, const json& asked) {
+    const std::string network = network_of(who.address);
+    not_too_often(wrong_codes_, network);
+    const std::string invitation = digest(text_of(asked, "key")), secret = make_secret();
+    Who now = who;
+    try {
+        now.kiosk = kiosks_.open(invitation, digest(secret));
+    } catch (const Denied&) {
+        wrong_codes_.wrong(network, Clock::now());
+        audit_.write("kiosk.failed", {{"address", who.address}});
+        throw;
+    }
+    audit_.write("kiosk.open", {{"name", now.kiosk->name}, {"address", who.address}});
+    Verdict verdict = answer(me(now));
+    verdict.headers = {{"Set-Cookie", cookie(who.way, kiosk_cookie_name(who.way), secret, kKioskGood)}};
+    return verdict;
+}
+
+/// The device's seat of whatever class is under way; else why it has none, until it asks again.
+Verdict DoorHost::sit(const Who& who) {
+    if (!who.kiosk) throw Denied(401, "this device is no kiosk any more: ask the owner for an address");
+    if (who.trainee || who.staff) return answer(me(who));
+    const auto& [name, exercise, place, invitation, key] = *who.kiosk;
+    json told = me(who);
+    try {
+        if (people_.find(name) != nullptr) throw Denied(409, "an instructor has that name");
+        const auto* its_class = book_.with_seat(exercise, place);
+        if (its_class == nullptr) return answer(told);
+        const std::string id = its_class->id;
+        const Trainee seated = book_.sit(id, name, key, exercise, place);
+        keep_classes();
+        audit_.write("kiosk.sit", {{"name", name},
+                                   {"class", id},
+                                   {"exercise", seated.exercise},
+                                   {"place", name_of(place)},
+                                   {"address", who.address}});
+        Who now = who;
+        now.trainee = book_.seated(key);
+        return answer(me(now));
+    } catch (const Denied& denied) {
+        told["why"] = denied.what();
+        return answer(told);
+    }
+}
+
+/// What the owner does with kiosks. The key is told here and nowhere else.
+Verdict DoorHost::keep_kiosks(const Who& who, const json& asked) {
+    const std::string what = text_of(asked, "do"), name = name_in(asked);
+    json done{{"by", who.staff->name}, {"name", name}}, told;
+    if (what == "put") {
+        const auto place = place_named(text_of(asked, "place"));
+        if (!place) throw Denied(400, "place: ship, forecastle, bridge or watch");
+        if (people_.find(name) != nullptr) throw Denied(409, "an instructor has that name: choose another");
+        const std::string key = make_key();
+        const int exercise = number_of(asked, "exercise");
+        kiosks_.put({.name = name, .exercise = exercise, .place = *place, .invitation = digest(key)});
+        done.update({{"exercise", exercise}, {"place", name_of(*place)}});
+        told = {{"key", key}};
+    } else if (what == "remove") {
+        kiosks_.remove(name);
+    } else {
+        throw Denied(400, "do: put or remove");
+    }
+    audit_.write("kiosk." + what, std::move(done));
+    turn_out_kiosks();
+    told.update(kiosks());
+    return answer(told);
+}
+
+json DoorHost::kiosks() const {
+    json list = json::array();
+    for (const auto& [name, each] : kiosks_.all())
+        list.push_back({{"name", name},
+                        {"exercise", each.exercise},
+                        {"place", name_of(each.place)},
+                        {"opened", each.invitation.empty()}});
+    return {{"kiosks", std::move(list)}};
+}
+
+/// Those that the owner or the command line has taken back.
+void DoorHost::turn_out_kiosks() {
+    try {
+        kiosks_.refresh();
+    } catch (const std::exception& error) {
+        log_.tell(error.what());
+    }
+    for (const std::string& key : kiosks_.take_revoked()) {
+        if (const auto seated = book_.seated(key)) {
+            book_.remove(seated->class_id, seated->trainee.name);
+            keep_classes();
+        }
+        send_away(key, "this device is no kiosk any more");
+    }
 }
 
 /// A browser is that person's from now on; how: as the audit log has it.
@@ -369,6 +475,11 @@ json DoorHost::me(const Who& who) const {
               {"own_authority", !certificate.authority.empty()},
               {"fingerprint", certificate.fingerprint},
               {"authority_fingerprint", certificate.authority_fingerprint}};
+    if (who.kiosk) // and whoever sits at it, below
+        told.update({{"who", "kiosk"},
+                     {"name", who.kiosk->name},
+                     {"number", who.kiosk->exercise},
+                     {"place", name_of(who.kiosk->place)}});
     if (who.staff)
         told.update({{"who", "staff"}, {"name", who.staff->name}, {"rank", name_of(who.staff->rank)}});
     if (who.trainee) {

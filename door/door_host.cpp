@@ -53,6 +53,10 @@ const char* cookie_name(Way way) {
     return way == Way::tls ? "__Host-windlass" : "windlass";
 }
 
+const char* kiosk_cookie_name(Way way) {
+    return way == Way::tls ? "__Host-windlass-kiosk" : "windlass-kiosk";
+}
+
 DoorHost::DoorHost(DoorOptions options, const gateway::Assets& assets, Stations& stations,
                    gateway::LineLog& log)
     : options_{std::move(options)},
@@ -61,6 +65,7 @@ DoorHost::DoorHost(DoorOptions options, const gateway::Assets& assets, Stations&
       log_{log},
       audit_{options_.state / "audit.jsonl", [this](const std::string& line) { log_.tell(line); }},
       people_{options_.state / "people.json"},
+      kiosks_{options_.state / "kiosks.json"},
       book_{kept_classes(options_.state / "classes.json")},
       runs_{stations.instructor(), stations.member()},
       wrong_codes_{20, 3s},
@@ -92,13 +97,19 @@ void DoorHost::judge(Way way, const Request& request, const Reply& reply) {
 
 DoorHost::Who DoorHost::who(Way way, const Request& request) {
     Who found{.way = way, .address = request.address, .key = {}};
-    const std::string secret = cookie_in(request.cookie, cookie_name(way));
-    if (secret.empty()) return found;
-    found.key = digest(secret);
-    if (const auto* person = people_.find(staff_.find(found.key, request.address, gateway::Clock::now())))
-        found.staff = *person;
-    else
+    if (const std::string secret = cookie_in(request.cookie, cookie_name(way)); !secret.empty()) {
+        found.key = digest(secret);
+        if (const auto* person = people_.find(staff_.find(found.key, request.address, gateway::Clock::now())))
+            found.staff = *person;
+        else
+            found.trainee = book_.seated(found.key);
+    }
+    if (const std::string secret = cookie_in(request.cookie, kiosk_cookie_name(way)); !secret.empty())
+        if (const auto* kiosk = kiosks_.with_key(digest(secret))) found.kiosk = *kiosk;
+    if (found.kiosk && !found.staff && !found.trainee) {
+        found.key = found.kiosk->key;
         found.trainee = book_.seated(found.key);
+    }
     return found;
 }
 
@@ -107,6 +118,7 @@ void DoorHost::tick(gateway::Clock::time_point now) {
     slow_.tick();
     if (now < next_look_) return;
     next_look_ = now + kLook;
+    turn_out_kiosks();
     runs_.tick(book_.classes(), now);
     note_results();
     keep_attempts();

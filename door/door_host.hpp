@@ -5,6 +5,7 @@
 #include "door/audit.hpp"
 #include "door/certificate.hpp"
 #include "door/class_runs.hpp"
+#include "door/kiosks.hpp"
 #include "door/slow_work.hpp"
 #include "door/staff_sessions.hpp"
 #include "door/stations.hpp"
@@ -41,6 +42,8 @@ enum class Way { tls, loopback };
 
 /// Of the cookie by which a browser is known; by TLS no other site of this machine can set it.
 const char* cookie_name(Way way);
+/// The same of a device that stands at one seat.
+const char* kiosk_cookie_name(Way way);
 
 class DoorHost final : public gateway::Host {
 public:
@@ -65,9 +68,10 @@ private:
     struct Who {
         Way way = Way::tls;
         std::string address;
-        std::string key;                  ///< of its cookie; empty: it has none
+        std::string key;                  ///< of its cookie, or of the kiosk's; empty: it has none
         std::optional<Person> staff = {}; // one of the two, or nobody
         std::optional<ClassBook::Seated> trainee = {};
+        std::optional<Kiosk> kiosk = {}; // whoever sits at it
     };
     /// An open WebSocket.
     struct Link {
@@ -90,6 +94,11 @@ private:
     gateway::Verdict join(const Who& who, const Json& asked);
     const TrainingClass& class_of(const Who& who, const Json& asked, const std::string& name);
     gateway::Verdict names(const Who& who, const Json& asked);
+    gateway::Verdict open_kiosk(const Who& who, const Json& asked);
+    gateway::Verdict sit(const Who& who);
+    gateway::Verdict keep_kiosks(const Who& who, const Json& asked);
+    Json kiosks() const;
+    void turn_out_kiosks();
     void log_in(const Who& who, const Json& asked, const Reply& reply);
     void set_up(const Who& who, const Json& asked, const Reply& reply);
     gateway::Verdict logged_in(const Who& who, const std::string& name, const std::string& how);
@@ -116,6 +125,7 @@ private:
     gateway::LineLog& log_;
     const Audit audit_;
     People people_;
+    Kiosks kiosks_;
     ClassBook book_;
     ClassRuns runs_;
     StaffSessions staff_;

@@ -50,7 +50,7 @@ Verdict DoorHost::file(const std::string& path, const Who& who) const {
         }
         if (who.trainee)
             return gateway::role_of(seat_at(who.trainee->trainee.place), who.trainee->trainee.exercise).pages;
-        return {"join"};
+        return {who.kiosk ? "kiosk" : "join"};
     }();
     if (path == "/authority.crt" && !options_.certificate.authority.empty())
         return {.kind = Verdict::Kind::answer,
@@ -61,7 +61,7 @@ Verdict DoorHost::file(const std::string& path, const Who& who) const {
     if (path == "/") return mine.front() == "join" ? give(std::move(found)) : go_to('/' + mine.front());
     const bool page = found->type.starts_with("text/html");
     const std::string name = path.substr(1);
-    const bool anybodys = !page || among({"join", "login", "setup", "trust"}, name);
+    const bool anybodys = !page || among({"join", "kiosk", "login", "setup", "trust"}, name);
     const bool debriefing = who.staff && name.starts_with("debrief-");
     if (anybodys || debriefing || among(mine, name)) return give(std::move(found));
     return go_to("/");

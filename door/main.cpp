@@ -1,5 +1,6 @@
 // The door: every page of every exercise of this machine's servers, by TLS, for whoever is let in.
 
+#include "door/kiosks.hpp"
 #include "door/private_file.hpp"
 #include "door/secrets.hpp"
 #include "door/tls_server.hpp"
@@ -45,6 +46,11 @@ struct Options {
     std::vector<std::string> names;
     fs::path recordings = "recordings", exercises = "config/exercises", history;
     std::string log_level = "info";
+
+    // Of the command kiosk.
+    CLI::App *kiosk = nullptr, *kiosk_add = nullptr, *kiosk_remove = nullptr;
+    door::Kiosk seat;
+    std::string place;
 };
 
 /// $XDG_DATA_HOME/windlass/door, or ~/.local/share/windlass/door.
@@ -105,6 +111,21 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option("--log-level", options.log_level, "how much is told on stderr")
         ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
         ->capture_default_str();
+    options.kiosk = app.add_subcommand("kiosk", "devices that stand at one seat; the running door heeds it");
+    options.kiosk->require_subcommand(1)->fallthrough();
+    options.kiosk_add = options.kiosk->add_subcommand(
+        "add", "prints an address that is opened once on the device; one of that name is none any more");
+    options.kiosk_add->fallthrough()->add_option("name", options.seat.name, "of the device")->required();
+    options.kiosk_add->add_option("--seat", options.seat.exercise, "which exercise of a class, from 1")
+        ->check(CLI::Range(1, door::ClassBook::kExercises))
+        ->required();
+    options.kiosk_add->add_option("--place", options.place, "there")
+        ->check(CLI::IsMember(std::vector<std::string>(door::kPlaceNames.begin(), door::kPlaceNames.end())))
+        ->required();
+    options.kiosk_remove = options.kiosk->add_subcommand("remove", "its device is sent away");
+    options.kiosk_remove->fallthrough()->add_option("name", options.seat.name, "of the device")->required();
+    options.kiosk->add_subcommand("list", "each with its seat, and whether a device has opened its address")
+        ->fallthrough();
     app.footer(
         "Prints its addresses and the fingerprint of its certificate; at the first start a link with which\n"
         "the first owner is set up. docs/class.md has the rest.\n"
@@ -167,6 +188,41 @@ void print_addresses(const Options& options, const door::TlsServer& server,
     std::cout << std::flush;
 }
 
+/// The command kiosk.
+int kiosks(Options options) {
+    door::begin_secrets();
+    if (options.state.empty()) options.state = state_folder();
+    door::private_folder(options.state);
+    door::Kiosks kept(options.state / "kiosks.json");
+    const door::Audit audit(options.state / "audit.jsonl",
+                            [](const std::string& line) { std::cerr << line << '\n'; });
+    options.seat.name = door::plain_name(options.seat.name);
+    if (*options.kiosk_add) {
+        if (options.seat.name.empty()) throw std::runtime_error("name: 1 to 32 bytes of text are allowed");
+        options.seat.place = door::place_named(options.place).value();
+        const std::string key = door::make_key();
+        options.seat.invitation = door::digest(key);
+        kept.put(options.seat);
+        audit.write("kiosk.put", {{"by", "command line"},
+                                  {"name", options.seat.name},
+                                  {"exercise", options.seat.exercise},
+                                  {"place", options.place}});
+        auto names = door::own_names();
+        names.insert(names.begin(), options.names.begin(), options.names.end());
+        for (const std::string& name : names)
+            if (name.find(':') == std::string::npos)
+                std::cout << door::kiosk_address(name, options.ports.port, key) << '\n';
+    } else if (*options.kiosk_remove) {
+        kept.remove(options.seat.name);
+        audit.write("kiosk.remove", {{"by", "command line"}, {"name", options.seat.name}});
+    } else {
+        for (const auto& [name, each] : kept.all())
+            std::cout << fmt::format("{}: {} of exercise {}, {}\n", name, door::name_of(each.place),
+                                     each.exercise, each.invitation.empty() ? "opened" : "not opened yet");
+    }
+    return station::kOk;
+}
+
 int run(Options options) {
     station::catch_stop_signals();
     set_up_log(options.log_level);
@@ -223,7 +279,8 @@ int main(int argc, char** argv) {
     add_options(app, options);
     if (const auto code = station::parse(app, argc, argv)) return *code;
     try {
-        return station::leave(run(std::move(options)));
+        const bool kiosk = static_cast<bool>(*options.kiosk);
+        return station::leave(kiosk ? kiosks(std::move(options)) : run(std::move(options)));
     } catch (const std::exception& error) {
         std::cerr << "windlass_door: " << error.what() << std::endl;
         return station::kFailed;

@@ -47,6 +47,10 @@ std::string make_secret() {
     return hexadecimal(octets);
 }
 
+std::string make_key() {
+    return make_secret().substr(0, 32);
+}
+
 std::string digest(const std::string& secret) {
     std::array<unsigned char, 32> octets{};
     crypto_generichash(octets.data(), octets.size(), reinterpret_cast<const unsigned char*>(secret.data()),

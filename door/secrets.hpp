@@ -18,6 +18,9 @@ bool is_password(const std::string& hash, const std::string& password);
 /// 256 random bits in hexadecimal digits, for a cookie.
 std::string make_secret();
 
+/// 128 of them, for an address that somebody has to bring to a device.
+std::string make_key();
+
 /// By which a cookie is found and kept: nobody gets the cookie out of it. BLAKE2b, hexadecimal.
 std::string digest(const std::string& secret);
 

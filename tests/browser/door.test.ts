@@ -173,6 +173,36 @@ test("the instructor's desk and the other pages come by the door as they do from
   assert.equal(await beyond(owner), 0);
 });
 
+test("a device that stands at a seat is led to it by an address that is opened once, and after every start", async () => {
+  await owner.setViewportSize({ width: 1280, height: 800 });
+  await on(owner, "Devices").click();
+  await owner.locator("input[name=device]").fill("forecastle 1");
+  await on(owner, "Make an address").click();
+  const address = await owner.locator(".kiosk-made code").textContent();
+  await look(owner, "devices");
+  await passesAxe(owner);
+  const device = await openPage(address.replace(/https:..[^/]*/, new URL(door.url).origin), tls);
+  await eventually("somebody sits there", async () =>
+    /carla sits here/.test(await device.locator("main").textContent()),
+  );
+  assert.ok(!device.url().includes("key"), "the key is not left in the address");
+  await look(device, "kiosk_waits");
+  await passesAxe(device);
+  await on(owner, await owner.locator(".tabs button").first().textContent()).click();
+  await owner.locator(".seat-button", { hasText: "carla" }).click();
+  await owner.locator(".seat-button", { hasText: "bridge" }).first().click();
+  await device.waitForURL(/\/forecastle$/);
+  await device.goto(door.url); // a browser that is started anew begins here
+  await device.waitForURL(/\/forecastle$/);
+  await tablet.waitForURL(/\/bridge$/);
+  await on(owner, "Devices").click();
+  await on(owner, "Take it back").click();
+  await device.locator("input[name=code]").waitFor();
+  hadNoProblems(device);
+  await closePage(device);
+  await on(owner, await owner.locator(".tabs button").first().textContent()).click();
+});
+
 test("with the class its seats end, and each seat's marks and debriefing are there", async () => {
   await on(owner, "End the class").focus();
   await owner.keyboard.down("Enter");

@@ -135,7 +135,7 @@ TEST_F(HostileDoor, ABodyThatIsTooLongIsRefusedAndOneThatNeverEndsHoldsNobodyUp)
 
 TEST_F(HostileDoor, AStrangerGetsThePagesOfTheDoorAndNothingElse) {
     Browser stranger = browser();
-    for (const char* page : {"/join", "/login", "/setup", "/trust", "/licences.txt"})
+    for (const char* page : {"/join", "/kiosk", "/login", "/setup", "/trust", "/licences.txt"})
         EXPECT_EQ(stranger.get(page).status, 200) << page;
     for (const char* page : {"/instructor", "/classroom", "/lessons", "/forecastle", "/bridge", "/watch",
                              "/class", "/people", "/replay"})

@@ -15,7 +15,7 @@ export class Denied extends Error {
 
 /** Whose browser this is. */
 export interface Me {
-  who: "nobody" | "staff" | "trainee";
+  who: "nobody" | "staff" | "trainee" | "kiosk";
   /** The first owner is not set up yet. */
   setup: boolean;
   own_authority: boolean;
@@ -26,6 +26,8 @@ export interface Me {
   class?: string;
   exercise?: string;
   place?: PlaceName;
+  /** Of a kiosk: which exercise of a class. */
+  number?: number;
 }
 
 export type PlaceName = "ship" | "forecastle" | "bridge" | "watch";

@@ -8,6 +8,7 @@ import { RunState } from "../wire/generated";
 import { type ClassExercise, type Classes, type Me, type Seat, type TrainingClass, act, ask, placeWords } from "./ask";
 import { classMarks, marksOf } from "./class_marks";
 import { frame } from "./frame";
+import { kiosks } from "./kiosks";
 import { newClass } from "./new_class";
 import { qr } from "./qr";
 import { toAll } from "./to_all";
@@ -15,6 +16,7 @@ import { t, translated } from "../kit/language";
 
 const kNoServer = t("No server is heard: exercises are made as soon as there is one");
 const kLook = 1000; // ms
+const kKiosks = "/"; // among the tabs; no class is called so
 const kHttps = 443; // which no address names
 const kGrouped = /(...)(?=.)/g;
 
@@ -33,6 +35,8 @@ class ClassPage {
   private readonly tabs = h("nav", { class: "tabs", "aria-label": t("classes") });
   private readonly body = h("div", { class: "class-body" });
   private readonly form: HTMLElement;
+  /** The owner's. */
+  private readonly devices: HTMLElement | undefined;
   private readonly code = h("div", {});
   private readonly said = h("span", { class: "said" });
   /** Of the class that is looked at, by exercise. */
@@ -48,7 +52,9 @@ class ClassPage {
   constructor(
     root: HTMLElement,
     private readonly leads: boolean,
+    owns: boolean,
   ) {
+    if (owns) this.devices = kiosks(() => address(this.known));
     this.form = newClass((classes) => {
       this.chosen = classes.classes.at(-1)?.id;
       this.show(classes);
@@ -89,7 +95,8 @@ class ClassPage {
 
   private show(known: Classes): void {
     this.known = known;
-    if (this.chosen !== undefined && !known.classes.some(({ id }) => id === this.chosen)) this.chosen = undefined;
+    const gone = this.chosen !== kKiosks && !known.classes.some(({ id }) => id === this.chosen);
+    if (this.chosen !== undefined && gone) this.chosen = undefined;
     else if (!this.heard) this.chosen = known.classes.find(({ over }) => !over)?.id;
     this.heard = true;
     this.draw();
@@ -107,7 +114,8 @@ class ClassPage {
     const tabs = this.known.classes.map(({ id, over }) => [id, over]);
     this.fill(this.tabs, [tabs, this.chosen], () => this.tabsNow());
     const it = this.known.classes.find(({ id }) => id === this.chosen);
-    this.fill(this.body, it?.over ? it : [it?.id, it?.exercises.length], () => {
+    this.fill(this.body, it?.over ? it : [it?.id ?? this.chosen, it?.exercises.length], () => {
+      if (this.chosen === kKiosks && this.devices) return [this.devices];
       if (it?.over) return [classMarks(it)];
       if (it) {
         this.made.clear();
@@ -142,6 +150,7 @@ class ClassPage {
     return [
       ...this.known.classes.map(({ id, over }) => tab(over ? t("{id}, over", { id }) : id, id)),
       ...(this.leads ? [tab(t("New class"), undefined)] : []),
+      ...(this.devices ? [tab(t("Devices"), kKiosks)] : []),
     ];
   }
 
@@ -305,5 +314,5 @@ export async function makeClass(): Promise<void> {
       t("Log out"),
     ),
   );
-  new ClassPage(root, leads);
+  new ClassPage(root, leads, me.rank === "owner");
 }
