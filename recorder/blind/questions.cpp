@@ -62,7 +62,7 @@ std::string sign_words(const Lesson& lesson, const assess::Sign& sign) {
         return plain(code);
     }
     case SignKind::report:
-        return fmt::format("report \"{}\"", report_words(lesson.reports[index]));
+        return fmt::format("report \"{}\"", report_words(lesson.reports[index].code));
     case SignKind::moment:
         return plain(lesson.moments[index].id);
     case SignKind::order_given:
