@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x1ab514807af3756f},
-    {1800, 0x772b40675483d044},
-    {3300, 0xf21f3ca2755df3d8},
-    {6000, 0xe81abb1de9dd2442},
-    {8700, 0x966a2213041457aa},
-    {12000, 0x3c4fa18096bd5c78},
-    {15000, 0x3eed68bfeef195df},
+    {300, 0x3db0a2b604448dfa},
+    {1800, 0x3cb675dcd9e025d9},
+    {3300, 0x58866db543938043},
+    {6000, 0x6c25c7f387bda43f},
+    {8700, 0x7514ef6efd3c7203},
+    {12000, 0xef77ab64644d7e9d},
+    {15000, 0xb083385b51ac395c},
 }};
 
 } // namespace
