@@ -68,6 +68,11 @@ TEST(Sentences, AReportSaysWhatWasGivenAndNothingElse) {
     EXPECT_EQ(report_text(said), "all well");
 }
 
+TEST(Sentences, AnAnchorIsReadyForWhateverWasOrdered) {
+    EXPECT_EQ(report_text(report(ReportCode::anchor_ready)), "port anchor is ready")
+        << "to be walked out or hove up as well as let go";
+}
+
 TEST(Sentences, ARepeatSaysTheOrderThatWasUnderstood) {
     ReportSaid said = report(ReportCode::order_repeated, -1);
     said.order_code = static_cast<std::size_t>(BridgeOrderCode::let_go);

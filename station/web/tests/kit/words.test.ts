@@ -45,6 +45,7 @@ test("a report says all that was given, and nothing else", () => {
   assert.equal(report(R.REPORT_SHACKLES_ON_DECK, { value: 3 }), "3 shackles on deck");
   assert.equal(report(R.REPORT_TURNS, { value: 1 }), "1 turn in port cable");
   assert.equal(report(R.REPORT_ANCHOR_AWEIGH, { side: -1 }), "anchor is aweigh");
+  assert.equal(report(R.REPORT_ANCHOR_READY), "port anchor is ready");
   assert.equal(report(R.REPORT_LEAD), "port cable is leading");
   assert.equal(report(R.REPORT_LEAD, { lead: 11, stay: 2 }), "port cable is leading 11 o'clock, short stay");
   assert.equal(
