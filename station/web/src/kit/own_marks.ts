@@ -2,7 +2,7 @@
 // on next time. It opens by itself when the marks are told, and is behind its button from then on.
 
 import type { Connection } from "../wire/connection";
-import { type Assessment, type Criterion, CriterionState } from "../wire/generated";
+import { type Assessment, type Criterion, CriterionKind, CriterionState } from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import { written } from "./orders";
@@ -22,6 +22,20 @@ export function toWorkOn(criteria: Criterion[]): Criterion[] {
   return criteria
     .filter((criterion) => criterion.counts && !criterion.met)
     .sort((a, b) => Number(b.must) - Number(a.must) || lost(b) - lost(a));
+}
+
+// What no hand need do for: it says what must not be, or how it is to be at the end.
+const kGuards = new Set([
+  CriterionKind.CRITERION_LIMIT,
+  CriterionKind.CRITERION_PROHIBITED,
+  CriterionKind.CRITERION_FINAL,
+]);
+
+/** What went well: what was done, and what only was not broken, which is no deed to praise. */
+export function wentWell(criteria: Criterion[]): { did: Criterion[]; kept: Criterion[] } {
+  const well = criteria.filter(({ counts, met, milli }) => counts && met && milli > 0);
+  const guards = ({ kind }: Criterion): boolean => kGuards.has(kind);
+  return { did: well.filter((one) => !guards(one)), kept: well.filter(guards) };
 }
 
 /** "Achieved: 87 of 100 points, 70 are needed". */
@@ -96,7 +110,7 @@ export class OwnMarks {
   private fill(assessment: Assessment): void {
     const at = (tick: number): string => clock((tick * assessment.time) / assessment.tick);
     const wrong = toWorkOn(assessment.criteria);
-    const well = assessment.criteria.filter(({ counts, met, milli }) => counts && met && milli > 0);
+    const { did, kept } = wentWell(assessment.criteria);
     const never = assessment.criteria.filter(({ state }) => state === kNotInPlay);
     const neverAs = [...new Set(never.map(stateSaid))];
     setText(this.head, headline(assessment));
@@ -107,7 +121,8 @@ export class OwnMarks {
       assessment.abort && h("p", {}, t("It ended before it was done: {why}.", { why: assessment.abort })),
       section(t("To work on next time"), wrong.slice(0, kToWorkOn).map(criterionRow)),
       section(t("Also missed"), wrong.slice(kToWorkOn).map(criterionRow)),
-      section(t("What went well"), well.map(criterionRow)),
+      section(t("What you did"), did.map(criterionRow)),
+      section(t("What you kept"), kept.map(criterionRow)),
       ...neverAs.map((said) =>
         section(capital(said), [
           h("li", {}, never.flatMap((one) => (stateSaid(one) === said ? spaced(one.code) : [])).join(", ")),

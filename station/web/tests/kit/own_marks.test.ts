@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { delayWords, headline, toWorkOn } from "../../src/kit/own_marks";
+import { delayWords, headline, toWorkOn, wentWell } from "../../src/kit/own_marks";
 import { type Criterion, CriterionKind, CriterionState } from "../../src/wire/generated";
 
 const criterion = (code: string, more: Partial<Criterion>): Criterion => ({
@@ -39,6 +39,19 @@ test("what must be is worked on first, then what cost most; what is met or was n
     order.map(({ code }) => code),
     ["a must", "half of much", "a word"],
   );
+});
+
+test("what only was not broken is not told as done", () => {
+  const met = { met: true, counts: true, milli: 1000 };
+  const kinds = ["LIMIT", "SEQUENCE", "STATE_AT", "ORDER", "REPORT", "PROHIBITED", "FINAL", "RUBRIC"] as const;
+  const { did, kept } = wentWell([
+    ...kinds.map((kind) => criterion(kind, { ...met, kind: CriterionKind[`CRITERION_${kind}`] })),
+    criterion("missed", { counts: true }),
+    criterion("not in play", { ...met, counts: false }),
+  ]);
+  const names = (list: Criterion[]) => list.map(({ code }) => code);
+  assert.deepEqual(names(did), ["SEQUENCE", "STATE_AT", "ORDER", "REPORT", "RUBRIC"]);
+  assert.deepEqual(names(kept), ["LIMIT", "PROHIBITED", "FINAL"]);
 });
 
 test("the outcome is the server's, beside what is needed", () => {
