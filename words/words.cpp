@@ -89,13 +89,13 @@ std::string report_text(const ReportSaid& report) {
     const Report& row = kReportCode[report.code];
     const std::string hour = report.lead > 0 ? std::to_string(report.lead) + " o'clock" : "";
     const std::string stay = said(kStayGiven, report.stay);
+    const std::string order = order_text(report.order_code, report.side, report.value);
+    const auto has = [&](const char* place) { return row.said.find(place) != std::string_view::npos; };
+    const bool own_words = has("{order}") && order.empty(); // the order had no others
     std::string line = fill_in(row.said, [&](std::string_view place) -> std::string {
         if (place == "figure") return figure_text(report.value, row.unit);
-        if (place == "order") return order_text(report.order_code, report.side, report.value);
-        if (place == "proposal") {
-            const std::string order = order_text(report.order_code, report.side, report.value);
-            return order.empty() ? "" : ": I propose to " + order;
-        }
+        if (place == "order") return own_words ? or_else(std::string(report.text), "the order") : order;
+        if (place == "proposal") return order.empty() ? "" : ": I propose to " + order;
         if (place == "growing") return or_else(said(kGrowing, report.growing), "growing");
         if (place == "weight") return or_else(said(kCableWeight, report.weight), "weight");
         if (place != "lead") return fill_thing(place, report.side, false);
@@ -104,11 +104,10 @@ std::string report_text(const ReportSaid& report) {
         return or_else(how, "leading");
     });
     // What was given beside what the sentence has a place for.
-    const auto has = [&](const char* place) { return row.said.find(place) != std::string_view::npos; };
     if (!has("{lead}")) join(line, hour), join(line, stay);
     if (!has("{growing}")) join(line, said(kGrowing, report.growing));
     if (!has("{weight}")) join(line, said(kCableWeight, report.weight));
-    join(line, std::string(report.text));
+    if (!own_words) join(line, std::string(report.text));
     return line;
 }
 

@@ -77,6 +77,10 @@ TEST(Sentences, ARepeatSaysTheOrderThatWasUnderstood) {
     ReportSaid said = report(ReportCode::order_repeated, -1);
     said.order_code = static_cast<std::size_t>(BridgeOrderCode::let_go);
     EXPECT_EQ(report_text(said), "repeats: let go both anchors");
+    said.order_code = static_cast<std::size_t>(BridgeOrderCode::text);
+    EXPECT_EQ(report_text(said), "repeats: the order") << "of own words that were not said again";
+    said.text = "ring the bell";
+    EXPECT_EQ(report_text(said), "repeats: ring the bell");
 }
 
 TEST(Sentences, WhatIsUnsafeSaysWhatIsProposedInstead) {

@@ -6,7 +6,7 @@ import { h, setText } from "../kit/dom";
 import { isOpen, isQuestion, orderMayBeBare, orderState, orderUnit, written } from "../kit/orders";
 import { clock, unitWritten } from "../kit/units";
 import { figureField, figurePad } from "./pad";
-import type { Popover } from "./popover";
+import type { Popover } from "../kit/popover";
 import { t, translated } from "../kit/language";
 
 const kShown = 30;
@@ -121,6 +121,7 @@ export class Orders {
         order_code: BridgeOrderCode[order.code],
         side: order.side,
         value,
+        text: order.code === BridgeOrderCode.BRIDGE_ORDER_TEXT ? order.text : "",
       })
       .catch((why: unknown) =>
         this.tell(why instanceof Refused ? t("not repeated: {why}", { why: why.message }) : `${why}`),

@@ -161,13 +161,12 @@ export function reportText(
   const growing = inEnglish("Growing", report.growing);
   const weight = inEnglish("CableWeight", report.weight);
   const unit = unitOf(row.unit);
+  const order = orderText(report.order_code, report.side, report.value, figure);
+  const ownWords = sentence.includes("{order}") && !order; // the order had no others
   const fill = (place: string): string => {
     if (place === "figure" && unit) return figure(report.value, unit);
-    if (place === "order") return orderText(report.order_code, report.side, report.value, figure);
-    if (place === "proposal") {
-      const order = orderText(report.order_code, report.side, report.value, figure);
-      return order && `: I propose to ${order}`;
-    }
+    if (place === "order") return order || report.text || "the order";
+    if (place === "proposal") return order && `: I propose to ${order}`;
     if (place === "growing") return growing || "growing";
     if (place === "weight") return weight || "weight";
     if (place === "lead") return joined(hour && `leading ${hour}`, stay) || "leading";
@@ -180,7 +179,7 @@ export function reportText(
     ...beside("lead", hour, stay),
     ...beside("growing", growing),
     ...beside("weight", weight),
-    report.text,
+    ownWords ? "" : report.text,
   );
 }
 

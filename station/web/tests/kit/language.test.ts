@@ -20,6 +20,7 @@ const kNoWords = new Set(
     ["Windlass", "Gamepad", "RT, LT", "LB, RB", "iPad, iPhone"],
     ["by hand signal", "zero one two three four five six seven eight nine ten eleven twelve"],
     ["other page", "cone up", "cone down"],
+    ["the order"], // of a repeat, which is English
   ].flat(),
 );
 

@@ -60,6 +60,8 @@ test("a report says all that was given, and nothing else", () => {
     report(R.REPORT_ORDER_REPEATED, { side: -1, order_code: C.BRIDGE_ORDER_LET_GO }),
     "repeats: let go both anchors",
   );
+  assert.equal(report(R.REPORT_ORDER_REPEATED), "repeats: the order");
+  assert.equal(report(R.REPORT_ORDER_REPEATED, { text: "ring the bell" }), "repeats: ring the bell");
   assert.equal(report(R.REPORT_TEXT, { text: "all well" }), "all well");
   assert.equal(report(R.REPORT_UNSAFE), "unsafe");
   assert.equal(
