@@ -1,4 +1,4 @@
-// The men on deck, set to work from the page: they wait and say why, and stand clear again.
+// The men on deck, set to work from the page or the desk: they wait and say why, and stand clear again.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
@@ -27,15 +27,16 @@ after(async () => {
   await rig.end();
 });
 
-const men = () => page.locator(".stand .head").getByRole("button", { name: /^Men/ });
-async function setTo(work: RegExp): Promise<void> {
-  await men().click();
-  await page.getByRole("dialog", { name: "Set the men to" }).getByRole("button", { name: work }).click();
+const men = (on = page) =>
+  on.locator(".stand .head, .lever-card[data-what='0'] header").getByRole("button", { name: /^Men/ });
+async function setTo(work: RegExp, on = page): Promise<void> {
+  await men(on).click();
+  await on.getByRole("dialog", { name: "Set the men to" }).getByRole("button", { name: work }).click();
 }
-const are = (short: string, atLength: RegExp) =>
+const are = (short: string, atLength: RegExp, on = page) =>
   eventually(
     `the men are ${short}`,
-    async () => (await men().textContent()) === short && atLength.test((await men().getAttribute("title")) ?? ""),
+    async () => (await men(on).textContent()) === short && atLength.test((await men(on).getAttribute("title")) ?? ""),
   );
 
 test("men who are set to break the cable wait until the weight is on the stopper, and stand clear at a word", async () => {
@@ -56,4 +57,24 @@ test("men who are set to break the cable wait until the weight is on the stopper
   await setTo(/^Men stand clear/);
   await are("Men", /^Men stand clear$/);
   hadNoProblems(page);
+});
+
+test("an instructor sets them to work at the desk and calls them back, and the forecastle sees it", async () => {
+  const desk = await openPage((await rig.desk()).url, {
+    viewport: { width: 1600, height: 900 },
+    init: () => localStorage.setItem("windlass.views", "plan"),
+  });
+  await eventually("the windlass is heard of", () => men(desk).isEnabled());
+  await setTo(/^Buoy the cable/, desk);
+  await are("Men: wait", /the weight is not on the stopper/, desk);
+  await are("Men: wait", /the weight is not on the stopper/);
+  await men(desk).click();
+  await passesAxe(desk);
+  if (process.env.WINDLASS_MEN_PICTURES)
+    await desk.screenshot({ path: `${process.env.WINDLASS_MEN_PICTURES}.desk.png` });
+  await men(desk).click();
+  await setTo(/^Men stand clear/, desk);
+  await are("Men", /^Men stand clear$/, desk);
+  await are("Men", /^Men stand clear$/);
+  hadNoProblems(desk);
 });

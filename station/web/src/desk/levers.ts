@@ -4,7 +4,9 @@ import { h, setAttribute, setText, setVariable } from "../kit/dom";
 import { type Authority, helmAuthority, ownerWords, takenWords, windlassAuthority } from "../kit/authority";
 import { holdButton } from "../kit/hold_button";
 import { showsTopic } from "../kit/live";
+import { Men } from "../kit/men";
 import { everySecond } from "../kit/page";
+import { Popover } from "../kit/popover";
 import { degrees, figure, radians, sideWord } from "../kit/units";
 import type { HelmLevers, WindlassLevers } from "../wire/connection";
 import { ClutchState, type HelmCommand, type WindlassCommand } from "../wire/generated";
@@ -111,6 +113,7 @@ abstract class Card {
   private readonly take: HTMLButtonElement;
   private readonly back = h("button", { class: "plain", hidden: true, onclick: () => this.letGo() }, t("Hand back"));
   protected held = false;
+  private readonly header: HTMLElement;
 
   constructor(
     protected readonly desk: Desk,
@@ -124,10 +127,11 @@ abstract class Card {
     });
     this.back.setAttribute("aria-label", t("hand back {title}", { title }));
     const isSwitch = (lever: Lever): boolean => lever.element.classList.contains("two");
+    this.header = h("header", {}, h("h3", {}, title), this.who, this.take, this.back);
     this.element = h(
       "section",
       { class: "lever-card", "data-what": `${what}`, "aria-label": t("levers, {title}", { title }) },
-      h("header", {}, h("h3", {}, title), this.who, this.take, this.back),
+      this.header,
       h(
         "div",
         { class: "lever-head", "aria-hidden": "true" },
@@ -146,6 +150,11 @@ abstract class Card {
       const taken = takenWords(desk.link, message);
       if (taken) desk.say(taken);
     });
+  }
+
+  /** Beside the title: what is ordered without a hand on the levers. */
+  protected offer(button: HTMLButtonElement): void {
+    this.header.insertBefore(button, this.take);
   }
 
   /** Puts the levers into the hand as they are; false: they are not known. */
@@ -196,6 +205,7 @@ class WindlassCard extends Card {
     stopper_closed: false,
     emergency_stop: false,
   };
+  private readonly men: Men;
 
   constructor(
     desk: Desk,
@@ -208,6 +218,13 @@ class WindlassCard extends Card {
       toggle(t("stopper"), t("closed"), t("open"), (v) => this.move({ stopper_closed: v > 0 })),
       toggle(t("emergency stop"), t("pressed"), t("free|emergency stop"), (v) => this.move({ emergency_stop: v > 0 })),
     ]);
+    this.men = new Men(
+      desk.link,
+      () => side,
+      new Popover(this.element),
+      (text) => desk.say(text),
+    );
+    this.offer(this.men.button);
   }
 
   private move(change: Partial<WindlassLevers>): void {
@@ -257,6 +274,7 @@ class WindlassCard extends Card {
     claws.show(Number(set?.clutch_in ?? NaN), clutch);
     bar.show(Number(set?.stopper_closed ?? NaN), Number(now?.stopper_closed ?? NaN));
     stop.show(Number(set?.emergency_stop ?? NaN), Number(now?.emergency_stop ?? NaN));
+    this.men.show();
     this.showHand();
   }
 }

@@ -6,7 +6,7 @@ import { BridgeOrderCode, CableWeight, Growing, ReportCode, StayGiven } from "..
 import { h, setAttribute, svg } from "../kit/dom";
 import { type PadLeaf, allSaid, capital, orderRows, padLeaves, placeOf, reportRows, saidOf } from "../kit/words";
 import { figurePad } from "./pad";
-import type { Popover } from "./popover";
+import type { Popover } from "../kit/popover";
 import type { Work } from "./work";
 import { t, translated } from "../kit/language";
 

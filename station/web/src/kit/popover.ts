@@ -1,7 +1,7 @@
 // What opens over the picture for a choice: one at a time, shut by Escape, a touch elsewhere or the choice.
 
-import { h } from "../kit/dom";
-import { t } from "../kit/language";
+import { h } from "./dom";
+import { t } from "./language";
 
 export class Popover {
   private open: HTMLElement | undefined;

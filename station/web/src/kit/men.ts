@@ -2,9 +2,9 @@
 
 import type { Connection } from "../wire/connection";
 import { DeckHindrance, DeckWork } from "../wire/generated";
-import { h, setText } from "../kit/dom";
-import { t } from "../kit/language";
-import { allSaid, capital, saidOf } from "../kit/words";
+import { h, setText } from "./dom";
+import { t } from "./language";
+import { allSaid, capital, saidOf } from "./words";
 import type { Popover } from "./popover";
 
 const clock = (seconds: number): string => `${Math.floor(seconds / 60)}:${`${seconds % 60}`.padStart(2, "0")}`;
