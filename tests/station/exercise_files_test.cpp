@@ -130,6 +130,21 @@ TEST_F(ExerciseFilesTest, WhatIsNotSoundIsNotSaved) {
     EXPECT_FALSE(fs::exists(folder / "mine.json"));
 }
 
+TEST_F(ExerciseFilesTest, AGuardWithoutAFromIsDoubted) {
+    json lesson = json::parse(text_in(folder / "L01_let_go_25m.json"));
+    const auto doubts = [&] { return files.check("L01_let_go_25m", lesson.dump()).at("doubts").dump(); };
+    const std::string doubted = "(guard): is in play before anything has been done";
+    json guard = {{"id", "guard"},
+                  {"kind", "prohibited"},
+                  {"that", {{"brake_position", {{"below", 0.1}}}}},
+                  {"weight", 1},
+                  {"objective", lesson.at("lesson").at("objectives").at(0).at("id")}};
+    lesson.at("lesson").at("criteria").push_back(guard);
+    EXPECT_THAT(doubts(), HasSubstr(doubted));
+    lesson.at("lesson").at("criteria").back()["from"] = {{"time", 5}};
+    EXPECT_THAT(doubts(), testing::Not(HasSubstr(doubted)));
+}
+
 TEST_F(ExerciseFilesTest, AFileIsReplacedOnlyByOneWhoHasReadIt) {
     const std::string before = text_in(folder / "L01_let_go_25m.json");
     const std::string changed = l01("/lesson/criteria/1/max", 5);
