@@ -31,6 +31,9 @@ constexpr double kNoHand = 2;   // s since he braked it himself: then it slows b
 constexpr double kGivesUp = 40; // s with the wheel open in which nothing runs: it does not
 constexpr double kLashes = 30;  // s for bar pin and lashing
 constexpr double kOpen = 0.2;   // of the hand-wheel
+constexpr double kMenWait = 30; // s that men wait for something, until he says that it cannot be done
+constexpr double kEases = 0.1;  // of the hand-wheel a second, until the cable rests on the stopper
+constexpr double kFromPipe = 2, kToGypsy = 7.5; // m inboard of the lip: where a joining shackle is got at
 
 // The speed lever, of its way
 constexpr double kTakesWeight = 0.1, kHeaves = 0.7, kGently = 0.25;
@@ -46,6 +49,10 @@ bool asks(BridgeOrderCode code) {
     return code == BRIDGE_ORDER_HOW_MUCH || code == BRIDGE_ORDER_HOW_LEADING ||
            code == BRIDGE_ORDER_HOW_GROWING || code == BRIDGE_ORDER_HOW_MUCH_WEIGHT ||
            code == BRIDGE_ORDER_BROUGHT_UP;
+}
+
+bool is_for_men(BridgeOrderCode code) {
+    return code == BRIDGE_ORDER_CLEAR_ANCHOR || code == BRIDGE_ORDER_BUOY_CABLE || code == BRIDGE_ORDER_SLIP;
 }
 
 ReportOrder plain(ReportCode code) {
@@ -100,6 +107,11 @@ void Mate::look(const station::Picture& picture) {
             if (event.code() == "cable.shackle" && event.side() == side_) out_ = kShackle * event.value();
     }
     marks_read_ = picture.seat_events.received;
+    for (const CableMark& mark : view_->marks())
+        if (!mark.last())
+            plain_seen_ = true;
+        else if (plain_seen_ && warning_ == 0)
+            warning_ = mark.shackle();
     answers_.look(*view_, time_);
 }
 
@@ -118,11 +130,26 @@ void Mate::hear(const station::Picture& picture) {
     }
     for (const BridgeOrder& order : picture.orders) {
         if (order.run() != run_) continue;
-        if (order.number() == deed_.number && order.state() == ORDER_CANCELLED)
+        if (order.number() == deed_.number && order.state() == ORDER_CANCELLED) {
+            call_men_back();
             deed_ = {.code = BRIDGE_ORDER_HOLD_ON, .begin = time_};
-        if (order.number() <= heard_ || !(order.side() < 0 || order.side() == side_)) continue;
+        }
+        if (order.number() <= heard_) continue;
+        if (auto why = cannot(order, picture)) {
+            heard_ = order.number();
+            ReportOrder report = unable(*std::move(why));
+            report.side = order.side();
+            report.order_number = order.number();
+            words_.push_back({std::move(report), order.time() + kAnswers});
+            continue;
+        }
+        if (!(order.side() < 0 || order.side() == side_)) continue;
         heard_ = order.number();
         if (order.state() == ORDER_CANCELLED || order.code() == BRIDGE_ORDER_TEXT) continue;
+        // Whatever comes next: no cable is worked while men are at it.
+        if (!asks(order.code())) call_men_back();
+        if (order.code() == BRIDGE_ORDER_STAND_CLEAR && is_for_men(deed_.code))
+            deed_ = {.number = deed_.number};
         if (order.code() == BRIDGE_ORDER_CANCEL) {
             deed_ = {.code = BRIDGE_ORDER_HOLD_ON, .begin = time_};
             continue;
@@ -171,6 +198,13 @@ void Mate::work() {
         return finish(shackles());
     case BRIDGE_ORDER_SECURE:
         return secure();
+    case BRIDGE_ORDER_CLEAR_ANCHOR:
+        if (view_->anchor() == ANCHOR_SEEN_CLEAR) return finish(plain(REPORT_CLEAR_ANCHOR));
+        return men(DECK_WORK_CLEAR_ANCHOR, REPORT_CLEAR_ANCHOR);
+    case BRIDGE_ORDER_BUOY_CABLE:
+        return men(DECK_WORK_BREAK_CABLE, REPORT_READY_TO_SLIP);
+    case BRIDGE_ORDER_SLIP:
+        return men(DECK_WORK_SLIP, REPORT_SLIPPED);
     default:
         return finish();
     }
@@ -236,12 +270,12 @@ void Mate::pay_out() {
     const double wanted = kShackle * deed_.value, left = wanted - out_;
     if (deed_.stage == 1) {
         levers_.speed_lever = 0;
-        if (left <= 0) return stage(3);
+        if (left <= 0 || last_on_deck()) return stage(3);
         if ((view_->clutch() != CLUTCH_OUT || view_->stopper_closed()) && !on_the_brake()) return;
         stage(2);
     }
     if (deed_.stage == 2) {
-        if (left > 0.3 + 0.5 * std::max(0.0, speed_)) {
+        if (!last_on_deck() && left > 0.3 + 0.5 * std::max(0.0, speed_)) {
             render(std::clamp(0.4 * left, kCreep, kPayOut));
             if (levers_.brake <= kOpen && since() > kGivesUp && std::abs(speed_) <= kHolds)
                 finish(plain(REPORT_DOES_NOT_RUN));
@@ -258,8 +292,10 @@ void Mate::hold_on() {
     if (more && deed_.stage < 3) return pay_out();
     levers_.speed_lever = 0;
     turn(kScrewUp);
-    if (levers_.brake >= 1 && view_->brake_position() > 0.99 && std::abs(speed_) <= kHolds)
-        finish(shackles());
+    if (levers_.brake < 1 || view_->brake_position() <= 0.99 || std::abs(speed_) > kHolds) return;
+    if (last_on_deck() && kShackle * deed_.value > out_ + 1)
+        say(unable("the last shackle is on deck, there is no more to pay out"));
+    finish(shackles());
 }
 
 /// direction: 1 heaves, -1 walks back. Until what was ordered is out, the anchor is home, or it is stopped.
@@ -273,7 +309,8 @@ void Mate::by_gear(double direction) {
     const double wanted = walks_out ? deed_.value : kShackle * deed_.value;
     const bool there = (deed_.value > 0 || walks_out) && direction * (out_ - wanted) < 0.4;
     const bool home = direction > 0 && view_->anchor() == ANCHOR_SEEN_HOME;
-    if (deed_.stage == 2 && !there && !home) {
+    const bool last = direction < 0 && last_on_deck();
+    if (deed_.stage == 2 && !there && !home && !last) {
         const bool gently = out_ < kNearHome || (deed_.value > 0 && std::abs(out_ - wanted) < 3);
         levers_.speed_lever = direction * (gently ? kGently : kHeaves);
         return;
@@ -283,6 +320,7 @@ void Mate::by_gear(double direction) {
     if (std::abs(speed_) > kHolds && since() < 10) return;
     levers_.brake = 1;
     if (view_->brake_position() < 0.99) return;
+    if (last && !there) say(unable("the last shackle is on deck, there is no more to walk back"));
     finish(home ? plain(REPORT_ANCHOR_HOME) : walks_out ? plain(REPORT_STANDING_BY) : shackles());
 }
 
@@ -320,6 +358,92 @@ void Mate::secure() {
     if (view_->clutch() != CLUTCH_OUT) return;
     if (deed_.stage == 1) return stage(2);
     if (since() > kLashes) finish(plain(REPORT_SECURED));
+}
+
+/// Holds the cable as that work needs it, sets the men to it and says when it is done, or why it cannot be.
+void Mate::men(DeckWork work, ReportCode done) {
+    if (deed_.stage == 1) {
+        if (!held_for(work)) return;
+        set_men(work);
+        return stage(2);
+    }
+    if (deed_.stage == 2) { // his word is on its way
+        if (view_->deck_work() == work) return stage(3);
+        if (since() > kMenWait) finish(unable("the men are not at it"));
+        return;
+    }
+    if (view_->deck_work() != work) { // done, or called back by somebody else
+        const bool clear = work == DECK_WORK_CLEAR_ANCHOR && view_->anchor() == ANCHOR_SEEN_CLEAR;
+        return clear ? finish(plain(done)) : finish();
+    }
+    if (view_->deck_work_left() <= 0) return finish(plain(done));
+    if (view_->deck_work_waits() == DECK_HINDRANCE_NONE) return stage(3);
+    if (since() < kMenWait) return;
+    set_men(DECK_WORK_NONE);
+    finish(unable(
+        std::string(words::kDeckHindrance.at(static_cast<std::size_t>(view_->deck_work_waits())).said)));
+}
+
+/// To clear the anchor: brake hard on and stopper on. To break the cable: a joining shackle on deck, stopper
+/// on, out of gear and the brake eased, so that the stopper alone bears the weight. To slip it: nothing.
+bool Mate::held_for(DeckWork work) {
+    if (work == DECK_WORK_SLIP) return true;
+    levers_.speed_lever = 0;
+    const bool breaks = work == DECK_WORK_BREAK_CABLE;
+    const bool at_hand = std::ranges::any_of(view_->marks(), [](const CableMark& mark) {
+        return -mark.outboard() > kFromPipe && -mark.outboard() < kToGypsy;
+    });
+    if (breaks && !at_hand && !last_on_deck()) {
+        if ((view_->clutch() == CLUTCH_OUT && !view_->stopper_closed()) || on_the_brake()) render(kCreep);
+        return false;
+    }
+    if (!view_->stopper_closed()) {
+        turn(kScrewUp);
+        levers_.stopper_closed = view_->brake_position() > 0.99 && std::abs(speed_) <= kHolds;
+        return false;
+    }
+    levers_.stopper_closed = true;
+    if (!breaks || view_->clutch() != CLUTCH_OUT) levers_.brake = 1;
+    if (!breaks) return view_->brake_position() > 0.99 && std::abs(speed_) <= kHolds;
+    if (view_->clutch() != CLUTCH_OUT) {
+        if (view_->brake_position() > 0.99) levers_.clutch_in = false;
+        return false;
+    }
+    turn(-kEases);
+    return view_->brake_position() < 0.01 && std::abs(speed_) <= kHolds;
+}
+
+void Mate::set_men(DeckWork work) {
+    done_.emplace_back().deck_work = work;
+}
+
+void Mate::call_men_back() {
+    if (view_->deck_work() != DECK_WORK_NONE && view_->deck_work_left() > 0) set_men(DECK_WORK_NONE);
+}
+
+/// By its colour: the last two lengths have it, and it begins at the one before the last.
+bool Mate::last_on_deck() const {
+    return std::ranges::any_of(
+        view_->marks(), [&](const CableMark& mark) { return mark.last() && mark.shackle() != warning_; });
+}
+
+std::optional<std::string> Mate::cannot(const BridgeOrder& order, const station::Picture& picture) const {
+    const int side = order.side();
+    if (side >= 0 && side != side_) {
+        if (side > 1 || picture.tackle.at(static_cast<std::size_t>(side)).view) return {};
+        return std::string("there is no ") + (side == SIDE_PORT ? "port" : "starboard") + " windlass";
+    }
+    const auto& row = words::kBridgeOrderCode.at(static_cast<std::size_t>(order.code()));
+    const bool has_figure = row.unit == words::Unit::none || !row.said_bare.empty() || order.value() > 0;
+    if (has_figure) return {};
+    return "that is no figure";
+}
+
+ReportOrder Mate::unable(std::string why) const {
+    ReportOrder report = plain(REPORT_UNSAFE);
+    report.order_number = static_cast<int>(deed_.number);
+    report.text = std::move(why);
+    return report;
 }
 
 void Mate::finish(std::optional<ReportOrder> report) {

@@ -19,6 +19,10 @@ public:
     /// question is answered beside it. Call it ten times a second of exercise time or oftener.
     std::vector<Step> advance(const station::Picture& picture);
 
+    /// Why he can do nothing about an order, his own or of a side where nobody is; nothing where he can. He
+    /// says so and does not repeat it back.
+    std::optional<std::string> cannot(const BridgeOrder& order, const station::Picture& picture) const;
+
 private:
     /// The order that he carries out.
     struct Deed {
@@ -50,6 +54,12 @@ private:
     void by_gear(double direction);
     void secure();
     void gear(bool in);
+    void men(DeckWork work, ReportCode done);
+    bool held_for(DeckWork work); ///< makes the cable safe for men to work at it, and whether it is
+    void set_men(DeckWork work);
+    void call_men_back();      ///< where they are at it
+    bool last_on_deck() const; ///< the last joining shackle
+    ReportOrder unable(std::string why) const;
     void finish(std::optional<ReportOrder> report = {});
 
     void stage(int next);
@@ -76,6 +86,8 @@ private:
     double let_go_at_ = 0, fastest_ = 0;   ///< m of cable and m/s, of the anchor that he lets go
     double tightened_ = 0;                 ///< s, when he last screwed the brake up while it ran
     double looked_ = -1;                   ///< s, when he looked last
+    bool plain_seen_ = false;              ///< a mark that is not of the warning colour
+    int warning_ = 0; ///< the mark at which the warning colour begins; 0: not seen to begin
 
     station::WindlassLevers levers_; ///< where he has them
     std::vector<Step> done_;         ///< what advance() returns

@@ -18,8 +18,9 @@ constexpr double kTight = 2;    // times the least since the cable stands, as th
 constexpr double kQuiet = 90;   // s in which the load of a ship that is brought up changes little
 constexpr double kRides =
     120; // s that the cable has stood before he listens for it: a young anchor works its way in
-constexpr double kTrembles = 8; // s, of an anchor that drags: a single jerk is none
-constexpr double kStill = 60;   // s after which another dragging is called anew
+constexpr double kTrembles =
+    60; // s, of an anchor that drags: what works its way in or jerks is still again by then
+constexpr double kStill = 60; // s after which another dragging is called anew
 // Of what the brake holds, 0.45 of the breaking load: 0.3, 1 and 1.5 of the pull that a motor bears for half
 // an hour, 47.5 d^2 N of grade K3 (UR A3), which is 0.14 of it
 constexpr double kNone = 0.04, kModerate = 0.14, kMuch = 0.21;

@@ -92,6 +92,7 @@ void Player::repeat_orders(const Picture& picture, std::vector<const Step*>& tak
     if (!script_.repeats_orders || !picture.status) return;
     for (const BridgeOrder& order : picture.orders) {
         const bool ours = order.side() < 0 || order.side() == side_;
+        if (mate_ && mate_->cannot(order, picture)) continue;
         const bool waits = order.run() == picture.status->run() && order.repeat_by() > 0 &&
                            (order.state() == ORDER_GIVEN || order.state() == ORDER_NOT_REPEATED);
         const bool again = std::ranges::any_of(
@@ -105,6 +106,7 @@ void Player::repeat_orders(const Picture& picture, std::vector<const Step*>& tak
                                   .order = order.code(),
                                   .order_number = order.number(),
                                   .text = {}};
+        if (order.code() == BRIDGE_ORDER_TEXT) step.report->text = order.text().to_string();
         if (script_.repeats_wrongly) {
             if (order.value() > 0)
                 step.report->value += 1;

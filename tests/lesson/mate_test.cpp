@@ -20,6 +20,7 @@ struct Ordered {
     double after;
     BridgeOrderCode code;
     double value = 0;
+    std::optional<int> side = {};
 };
 
 /// What the bridge orders, and a word after `last` s, with which it is over.
@@ -29,7 +30,7 @@ Part bridge(const std::vector<Ordered>& orders, double last) {
     for (const Ordered& order : orders) {
         trainee::Step& step = script.steps.emplace_back();
         step.when.after = order.after;
-        step.order = trainee::BridgesOrder{order.code, order.value, {}, {}};
+        step.order = trainee::BridgesOrder{order.code, order.value, order.side, {}};
         step.timeout = 3600;
     }
     script.steps.emplace_back().when.after = last;
@@ -50,6 +51,8 @@ struct Came {
     exercise::TackleView last;
     double fastest = 0;    ///< m/s of cable, out
     double bottom_at = -1; ///< s
+    int endangered = 0;    ///< how often the cable moved under men's hands
+    bool slipped = false;
     bool told(const std::string& words) const {
         return std::ranges::any_of(
             played.told, [&](const Told& one) { return one.text.find(words) != std::string::npos; });
@@ -70,7 +73,12 @@ Came carried_out(const std::string& exercise, const std::vector<Ordered>& orders
         came.last = session.snapshot().tackle[0];
         came.fastest = std::max(came.fastest, came.last.windlass.cable_speed);
         for (const exercise::ExerciseEvent& event : session.events())
-            if (event.code == "anchor.on_bottom" && came.bottom_at < 0) came.bottom_at = event.time;
+            if (event.code == "anchor.on_bottom" && came.bottom_at < 0)
+                came.bottom_at = event.time;
+            else if (event.code == "deck_work.endangered")
+                ++came.endangered;
+            else if (event.code == "cable.slipped")
+                came.slipped = true;
     });
     return came;
 }
@@ -141,6 +149,70 @@ TEST(Mate, StopsWhenHisOrderIsTakenBackAndNotWhenToldToStandClear) {
     const Came clear =
         carried_out("let_go_port_25m", {{5, BRIDGE_ORDER_LET_GO}, {1.5, BRIDGE_ORDER_STAND_CLEAR}}, 60);
     EXPECT_TRUE(clear.told("port anchor is on the bottom"));
+}
+
+TEST(Mate, BuoysBreaksAndSlipsTheCableAsOrdered) {
+    const Came came = carried_out(
+        "at_anchor_25m",
+        {{5, BRIDGE_ORDER_BUOY_CABLE}, {900, BRIDGE_ORDER_STAND_CLEAR}, {20, BRIDGE_ORDER_SLIP}}, 60);
+    EXPECT_GE(came.when_told("port cable is buoyed and ready for slipping"), 600) << "ten minutes of work";
+    EXPECT_TRUE(came.told("reported: stand clear"));
+    EXPECT_TRUE(came.told("port cable is slipped"));
+    EXPECT_TRUE(came.slipped);
+    EXPECT_EQ(came.endangered, 0);
+}
+
+TEST(Mate, CallsTheMenBackBeforeTheCableIsWorkedAgain) {
+    const std::vector<Ordered> buoys{{5, BRIDGE_ORDER_BUOY_CABLE}, {200, BRIDGE_ORDER_STAND_CLEAR}};
+    const Came clear = carried_out("at_anchor_25m", buoys, 30);
+    EXPECT_EQ(clear.last.deck_work.set, exercise::DeckWork::none);
+    const Came veers = carried_out("at_anchor_25m", {buoys.front(), {200, BRIDGE_ORDER_VEER, 8}}, 120);
+    EXPECT_NEAR(veers.last.windlass.cable_out / kShackle, 8, 0.25);
+    EXPECT_EQ(veers.endangered, 0);
+}
+
+TEST(Mate, SaysWhyMenCannotDoIt) {
+    const Came came =
+        carried_out("at_anchor_25m", {{5, BRIDGE_ORDER_SLIP}, {60, BRIDGE_ORDER_CLEAR_ANCHOR}}, 90);
+    EXPECT_TRUE(came.told("reported: unsafe, the cable is not broken yet"));
+    EXPECT_TRUE(came.told("reported: unsafe, the anchor is not at the water"));
+    EXPECT_FALSE(came.told("reported: port anchor is clear"));
+    EXPECT_EQ(came.last.deck_work.set, exercise::DeckWork::none);
+}
+
+TEST(Mate, SaysThatHeCannotAndDoesNotRepeatIt) {
+    const Ordered starboard{5, BRIDGE_ORDER_PAY_OUT, 7, 1};
+    const Came other = carried_out("let_go_port_25m", {starboard}, 30);
+    EXPECT_TRUE(other.told("reported: unsafe, there is no starboard windlass, to order 1"));
+    EXPECT_FALSE(other.told("repeats"));
+    const Came nothing = carried_out("let_go_port_25m", {{5, BRIDGE_ORDER_PAY_OUT, 0}}, 30);
+    EXPECT_TRUE(nothing.told("reported: unsafe, that is no figure, to order 1"));
+    EXPECT_FALSE(nothing.told("repeats"));
+}
+
+TEST(Mate, StopsWithTheLastShackleOnDeck) {
+    const Came came = carried_out("at_anchor_25m", {{5, BRIDGE_ORDER_VEER, 14}}, 600);
+    EXPECT_TRUE(came.told("the last shackle is on deck"));
+    EXPECT_NEAR(came.last.windlass.cable_out / kShackle, 10.8, 0.25) << "of 12, the last is the 11th";
+    EXPECT_NEAR(came.last.windlass.cable_speed, 0, 0.02);
+}
+
+TEST(Mate, CallsNoDraggingBeforeTheDeckHasTrembledForAMinute) {
+    trainee::Answers answers;
+    ForecastleView view;
+    bool dragged = false;
+    const auto look = [&](double from, double to) {
+        for (double time = from; time < to; time += 0.5) {
+            answers.look(view, time);
+            dragged = dragged || answers.drags();
+        }
+    };
+    look(0, 130);
+    view.vibration(1);
+    look(130, 185);
+    EXPECT_FALSE(dragged);
+    look(185, 195);
+    EXPECT_TRUE(dragged);
 }
 
 TEST(Mate, AnswersByWhatTheLoadCellShows) {
