@@ -1,10 +1,12 @@
-// Debian's Chromium, with what each page must not do: no error on the console, no request to another origin.
+// Debian's Chromium, or its Firefox, with what each page must not do: no error on the console, no request to another
+// origin.
 
-import { type Browser, type BrowserContextOptions, type Page, chromium } from "playwright-core";
+import { type Browser, type BrowserContextOptions, type Page, chromium, firefox } from "playwright-core";
 
 export { root } from "../../station/web/tools/web.mjs";
 
 const kChromium = process.env.WINDLASS_CHROMIUM ?? "/usr/bin/chromium";
+const kFirefox = process.env.WINDLASS_FIREFOX ?? "/usr/bin/firefox-esr";
 // Without OpenGL, which by software costs a third more of the machine than all that a page does itself.
 const kPlainPages = "--disable-gpu-compositing";
 // Software rendering, so that a picture does not depend on the machine; timers as if the page were looked at.
@@ -42,10 +44,17 @@ export interface GatewayMessage {
 }
 
 let browser: Browser | undefined;
+let isFirefox = process.env.WINDLASS_BROWSER === "firefox"; // else Chromium
+/** Makes Firefox the browser of a test file, before it opens a page: as Debian has it, driven by WebDriver BiDi. */
+export function inFirefox(): void {
+  isFirefox = true;
+}
 /** The one browser of a test file. asUsers: its pages are put together as a user's are, whatever that costs. */
 export async function theBrowser({ asUsers = false } = {}): Promise<Browser> {
   const args = asUsers ? kArguments.filter((each) => each !== kPlainPages) : kArguments;
-  browser ??= await chromium.launch({ executablePath: kChromium, args });
+  browser ??= isFirefox
+    ? await firefox.launch({ channel: "moz-firefox", executablePath: kFirefox })
+    : await chromium.launch({ executablePath: kChromium, args });
   return browser;
 }
 export async function closeBrowser(): Promise<void> {

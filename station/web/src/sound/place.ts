@@ -38,9 +38,19 @@ export function placed(context: BaseAudioContext, out: AudioNode, [positionX, po
 
 /** Puts the ears that hear all placed sounds of a context. */
 export function listen({ listener }: BaseAudioContext, { at, ahead }: Ears, time: number): void {
+  if (!("positionX" in listener)) {
+    putAtOnce(listener, { at, ahead });
+    return;
+  }
   const { positionX, positionY, positionZ, forwardX, forwardY, forwardZ } = listener;
   [positionX, positionY, positionZ].forEach((to, i) => glide(to, at[i]!, time, kTurns));
   [forwardX, forwardY, forwardZ].forEach((to, i) => glide(to, ahead[i]!, time, kTurns));
   glide(listener.upY, 0, time, kTurns); // by default y is up; on deck it is z
   glide(listener.upZ, 1, time, kTurns);
+}
+
+/** Of Firefox, whose ears have no parameters that glide: they turn within a frame. */
+function putAtOnce(listener: AudioListener, { at, ahead }: Ears): void {
+  listener.setPosition(...at);
+  listener.setOrientation(...ahead, 0, 0, 1);
 }
