@@ -1,6 +1,7 @@
 // What pages of the door ask and do, as JSON: POST /door/ACT and GET /door/QUESTION. docs/class.md has the
 // list.
 
+#include "door/asked.hpp"
 #include "door/door_host.hpp"
 #include "door/query.hpp"
 #include "door/secrets.hpp"
@@ -27,39 +28,6 @@ std::int64_t unix_s() {
         .count();
 }
 
-Verdict answer(const json& body, int status = 200) {
-    return {.kind = Verdict::Kind::answer,
-            .status = status,
-            .type = "application/json",
-            .body = body.dump(-1, ' ', false, json::error_handler_t::replace)};
-}
-
-std::string text_of(const json& asked, const char* name) {
-    const auto found = asked.find(name);
-    if (found == asked.end() || !found->is_string())
-        throw Denied(400, std::string(name) + ": a text is expected");
-    return found->get<std::string>();
-}
-
-int number_of(const json& asked, const char* name) {
-    const auto found = asked.find(name);
-    if (found == asked.end() || !found->is_number_integer())
-        throw Denied(400, std::string(name) + ": a whole number is expected");
-    const auto value = found->get<std::int64_t>();
-    return static_cast<int>(std::clamp<std::int64_t>(value, -1, 1'000'000));
-}
-
-std::string plain_name_of(const std::string& text) {
-    std::string name = plain_name(text);
-    if (name.empty() || name == "server" || name == "door")
-        throw Denied(400, "name: 1 to 32 bytes of text are allowed, but not server or door");
-    return name;
-}
-
-std::string name_in(const json& asked) {
-    return plain_name_of(text_of(asked, "name"));
-}
-
 /// The list of a class; none: whoever has its code may join.
 std::vector<std::string> names_in(const json& asked) {
     std::vector<std::string> names;
@@ -79,19 +47,6 @@ std::string password_in(const json& asked) {
         throw Denied(400, fmt::format("password: {} to {} characters are allowed", People::kPasswordLeast,
                                       People::kPasswordMost));
     return password;
-}
-
-void not_too_often(const Attempts& attempts, const std::string& key) {
-    if (const double wait = attempts.wait(key, Clock::now()); wait > 0)
-        throw Denied(429, fmt::format("too many were wrong: try again in {:.0f} s", wait + 1));
-}
-
-constexpr int kDay = 24 * 3600;        // s
-constexpr int kKioskGood = 400 * kDay; // as long as browsers keep a cookie at all
-
-std::string cookie(Way way, const char* name, const std::string& secret, int age) {
-    return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict; Max-Age={}{}", name, secret, age,
-                       way == Way::tls ? "; Secure" : "");
 }
 
 } // namespace
@@ -211,102 +166,6 @@ Verdict DoorHost::join(const Who& who, const json& asked) {
     now.key = key;
     now.trainee = book_.seated(key);
     return with_cookie(who, secret, me(now));
-}
-
-/// A device is that kiosk's from now on.
-Verdict DoorHost::open_kiosk(const Who& who, const json& asked) {
-    const std::string network = network_of(who.address);
-    not_too_often(wrong_codes_, network);
-    const std::string invitation = digest(text_of(asked, "key")), secret = make_secret();
-    Who now = who;
-    try {
-        now.kiosk = kiosks_.open(invitation, digest(secret));
-    } catch (const Denied&) {
-        wrong_codes_.wrong(network, Clock::now());
-        audit_.write("kiosk.failed", {{"address", who.address}});
-        throw;
-    }
-    audit_.write("kiosk.open", {{"name", now.kiosk->name}, {"address", who.address}});
-    Verdict verdict = answer(me(now));
-    verdict.headers = {{"Set-Cookie", cookie(who.way, kiosk_cookie_name(who.way), secret, kKioskGood)}};
-    return verdict;
-}
-
-/// The device's seat of whatever class is under way; else why it has none, until it asks again.
-Verdict DoorHost::sit(const Who& who) {
-    if (!who.kiosk) throw Denied(401, "this device is no kiosk any more: ask the owner for an address");
-    if (who.trainee || who.staff) return answer(me(who));
-    const auto& [name, exercise, place, invitation, key] = *who.kiosk;
-    json told = me(who);
-    try {
-        if (people_.find(name) != nullptr) throw Denied(409, "an instructor has that name");
-        const auto* its_class = book_.with_seat(exercise, place);
-        if (its_class == nullptr) return answer(told);
-        const std::string id = its_class->id;
-        const Trainee seated = book_.sit(id, name, key, exercise, place);
-        keep_classes();
-        audit_.write("kiosk.sit", {{"name", name},
-                                   {"class", id},
-                                   {"exercise", seated.exercise},
-                                   {"place", name_of(place)},
-                                   {"address", who.address}});
-        Who now = who;
-        now.trainee = book_.seated(key);
-        return answer(me(now));
-    } catch (const Denied& denied) {
-        told["why"] = denied.what();
-        return answer(told);
-    }
-}
-
-/// What the owner does with kiosks. The key is told here and nowhere else.
-Verdict DoorHost::keep_kiosks(const Who& who, const json& asked) {
-    const std::string what = text_of(asked, "do"), name = name_in(asked);
-    json done{{"by", who.staff->name}, {"name", name}}, told;
-    if (what == "put") {
-        const auto place = place_named(text_of(asked, "place"));
-        if (!place) throw Denied(400, "place: ship, forecastle, bridge or watch");
-        if (people_.find(name) != nullptr) throw Denied(409, "an instructor has that name: choose another");
-        const std::string key = make_key();
-        const int exercise = number_of(asked, "exercise");
-        kiosks_.put({.name = name, .exercise = exercise, .place = *place, .invitation = digest(key)});
-        done.update({{"exercise", exercise}, {"place", name_of(*place)}});
-        told = {{"key", key}};
-    } else if (what == "remove") {
-        kiosks_.remove(name);
-    } else {
-        throw Denied(400, "do: put or remove");
-    }
-    audit_.write("kiosk." + what, std::move(done));
-    turn_out_kiosks();
-    told.update(kiosks());
-    return answer(told);
-}
-
-json DoorHost::kiosks() const {
-    json list = json::array();
-    for (const auto& [name, each] : kiosks_.all())
-        list.push_back({{"name", name},
-                        {"exercise", each.exercise},
-                        {"place", name_of(each.place)},
-                        {"opened", each.invitation.empty()}});
-    return {{"kiosks", std::move(list)}};
-}
-
-/// Those that the owner or the command line has taken back.
-void DoorHost::turn_out_kiosks() {
-    try {
-        kiosks_.refresh();
-    } catch (const std::exception& error) {
-        log_.tell(error.what());
-    }
-    for (const std::string& key : kiosks_.take_revoked()) {
-        if (const auto seated = book_.seated(key)) {
-            book_.remove(seated->class_id, seated->trainee.name);
-            keep_classes();
-        }
-        send_away(key, "this device is no kiosk any more");
-    }
 }
 
 /// A browser is that person's from now on; how: as the audit log has it.
