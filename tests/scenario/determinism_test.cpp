@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x3db0a2b604448dfa},
-    {1800, 0x3cb675dcd9e025d9},
-    {3300, 0x58866db543938043},
-    {6000, 0x6c25c7f387bda43f},
-    {8700, 0x7514ef6efd3c7203},
-    {12000, 0xef77ab64644d7e9d},
-    {15000, 0xb083385b51ac395c},
+    {300, 0x0a0c73b58dbbf813},
+    {1800, 0x67a711f4263b7616},
+    {3300, 0xc3530fb43185d0d2},
+    {6000, 0xfdcc3a96b72235c1},
+    {8700, 0xa39fac78e99d65ba},
+    {12000, 0xcc6e9bc3f28caff1},
+    {15000, 0x3128277df9a57717},
 }};
 
 } // namespace

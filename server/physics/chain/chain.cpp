@@ -30,7 +30,7 @@ ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& h
     state.tension.resize(capacity);
     state.elastic_tension.resize(capacity);
     state.elastic_tension_before.resize(capacity);
-    if (def.damping_time == 0) state.elastic_tension_earlier.resize(capacity);
+    state.elastic_tension_earlier.resize(capacity);
     state.stretch.resize(capacity);
     for (int i = 0; i <= links; ++i) {
         const double along = i == links ? length : i * def.node_spacing;
@@ -122,16 +122,14 @@ void visit_state(Visitor& v, State& state) {
     v.numbers({"tension"}, tension.data(), nodes - 1);
     v.numbers({"elastic_tension"}, elastic_tension.data(), nodes - 1);
     v.numbers({"elastic_tension_before"}, elastic_tension_before.data(), nodes - 1);
-    const bool undamped = !elastic_tension_earlier.empty();
-    if (undamped) v.numbers({"elastic_tension_earlier"}, elastic_tension_earlier.data(), nodes - 1);
+    v.numbers({"elastic_tension_earlier"}, elastic_tension_earlier.data(), nodes - 1);
     if constexpr (Visitor::kRestores) std::fill(stretch.begin() + stretched, stretch.end(), 0);
     v.numbers({"stretch"}, stretch.data(), static_cast<std::size_t>(stretched));
     v.all_within({"stretch"}, stretch.data(), static_cast<std::size_t>(stretched), 0, kMaxStretch);
     for (const std::vector<double>* force :
          {&tension, &elastic_tension, &elastic_tension_before, &elastic_tension_earlier})
-        if (!force->empty())
-            v.all_within({force == &tension ? "tension" : "elastic_tension"}, force->data(), nodes - 1, 0,
-                         kStrongest);
+        v.all_within({force == &tension ? "tension" : "elastic_tension"}, force->data(), nodes - 1, 0,
+                     kStrongest);
 }
 WINDLASS_STATE_LISTED(ChainState);
 

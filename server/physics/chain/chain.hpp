@@ -56,7 +56,7 @@ struct ChainState {
     Field position, velocity;    ///< m, m/s; world
     std::vector<double> tension; ///< N, at the end of the last step, per link, structural damping in it
     /// N, of it that of the stretch alone, which the next steps weigh; and the same one step earlier, and
-    /// two: the last of undamped chain only (ChainSolver), else it is empty.
+    /// two.
     std::vector<double> elastic_tension, elastic_tension_before, elastic_tension_earlier;
     /// Permanent, of each piece of the cable, those inboard, too: share by which it is longer than when new.
     std::vector<double> stretch;

@@ -56,7 +56,7 @@ void insert_node(const ChainDef& def, ChainState& state, double feed_speed, doub
         if (old == 0) tension[top] = tension[n] = 0;
     };
     for (std::vector<double>* tension : state.tensions())
-        if (!tension->empty()) share_tension(*tension);
+        share_tension(*tension);
     // On the arc, at the distance from the node below that its tension asks for.
     if (state.elastic_tension[top] > 0)
         position = lower + (position - lower).normalized() * spacing *
@@ -79,7 +79,7 @@ void remove_node(const ChainDef& def, ChainState& state, double deck_length) {
         tension[top - 1] = below == 0 || above == 0 ? 0 : below + place * (above - below);
     };
     for (std::vector<double>* tension : state.tensions())
-        if (!tension->empty()) join_tension(*tension);
+        join_tension(*tension);
     state.position.set(top, state.position.at(n));
     state.velocity.set(top, state.velocity.at(n));
     state.links = n - 1;

@@ -91,7 +91,7 @@ Strained strain_links(const ChainDef& def, std::span<const LinkCondition> condit
             lengthen(def, i, longer, chain);
             // As if it had been so long a step earlier, too: this is not a rate that damping goes by.
             for (std::vector<double>* tension : chain.tensions())
-                if (!tension->empty()) (*tension)[i] = std::max(0.0, (*tension)[i] - spring * longer);
+                (*tension)[i] = std::max(0.0, (*tension)[i] - spring * longer);
             strained.work += stored - link_energy(def, chain, i, deck_length);
             strained.longer += longer;
         }

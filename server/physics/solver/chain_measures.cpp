@@ -17,12 +17,12 @@ namespace {
 /// more it is (docs/chain_lab.md).
 constexpr double kDissipation = 0.05;
 
-/// Of damped chain: how much of the damping goes by the rate of stretch at the end of a step, the rest by the
-/// rate over two. The latter is none of what turns round from step to step, which then loses 1 to 5 % a step
-/// and is kept up by friction that comes and goes; with three tenths of the former 0.3 to 0.8 of it is left.
-/// That part is of first order: it adds B a dt w^2 / 2 to a link's stiffness, a thousandth at 20 rad/s and
-/// 100 steps a second, less than Newmark's own phase (w dt)^2 / 12 up to 280.
-constexpr double kRateAtEnd = 0.3;
+/// Of damped chain, for the same: how much of the damping goes by the third difference of the tensions, which
+/// is of third order in what the step resolves and eight times what turns round from step to step. Damping by
+/// the rate over two steps alone is none of the latter, which then loses 1 to 5 % a step and is kept up by
+/// friction that comes and goes. With it 0.6 to 0.8 of what one spring cannot resolve is left after a step of
+/// 1/60 to 1/500 s with the exercise's damping, by the roots of its equation; with twice as much no less.
+constexpr double kTurnsRound = 1.0 / 32;
 
 /// How the tensions of the instants n + 1, n, n - 1, n - 2 share the mean pull of a step. Their sum is 1.
 struct Weights {
@@ -40,11 +40,20 @@ Weights weights(double dt, double last, double a) {
             0.5 * (a * between + before * left * left * left), 0.5 * before * a * left * left};
 }
 
+/// Newmark's weights, and after an even step what damps (damping_time: s) tensions that turn round.
+Weights damped_weights(double dt, double last, double damping_time) {
+    Weights share = weights(dt, last, 0);
+    if (dt != last) return share;
+    const double turns_round = kTurnsRound * damping_time / dt;
+    share.next += turns_round, share.now -= 3 * turns_round;
+    share.before += 3 * turns_round, share.earlier -= turns_round;
+    return share;
+}
+
 } // namespace
 
 ChainSolver::LinkDamping ChainSolver::link_damping(double last) const {
-    const double at_end = def_.damping_time / time_.dt;
-    return {(1 - kRateAtEnd) * def_.damping_time / (time_.dt + last), kRateAtEnd * at_end, at_end};
+    return {def_.damping_time / (time_.dt + last), def_.damping_time / time_.dt};
 }
 
 /// Length and direction of each link, what earlier tensions would contribute to its mean pull, and a first
@@ -52,10 +61,10 @@ ChainSolver::LinkDamping ChainSolver::link_damping(double last) const {
 WINDLASS_WIDE
 void ChainSolver::measure_links(const ChainState& state) {
     const double min = kPoint * def_.node_spacing, dt = time_.dt, last = state.last_step;
-    const bool undamped = !state.elastic_tension_earlier.empty();
-    const Weights share = weights(dt, last, undamped ? kDissipation : 0);
+    const Weights share = def_.damping_time == 0 ? weights(dt, last, kDissipation)
+                                                 : damped_weights(dt, last, def_.damping_time);
     const double over_next = 1 / share.next, onwards = last > 0 ? dt / last : 0;
-    const auto measure = [&](int i, auto has_earlier) WINDLASS_INLINE {
+    const auto measure = [&](int i) WINDLASS_INLINE {
         const Vec3 d = state.position.at(i + 1) - state.position.at(i);
         const double length = std::sqrt(fused_dot(d, d));
         // A link of no length (slack chain fallen onto itself) has no direction; any will do, it does not
@@ -66,12 +75,10 @@ void ChainSolver::measure_links(const ChainState& state) {
         direction_.set(i, {d.x() * scale, d.y() * scale, point ? 1 : d.z() * scale});
 
         const double tension = state.elastic_tension[i], tension_before = state.elastic_tension_before[i];
-        double past = tension * tension_before;
-        double weighed = std::fma(share.now, tension, share.before * tension_before);
-        if constexpr (has_earlier) {
-            past *= state.elastic_tension_earlier[i];
-            weighed = std::fma(share.earlier, state.elastic_tension_earlier[i], weighed);
-        }
+        const double tension_earlier = state.elastic_tension_earlier[i];
+        const double past = tension * tension_before * tension_earlier;
+        const double weighed = std::fma(share.earlier, tension_earlier,
+                                        std::fma(share.now, tension, share.before * tension_before));
         // A link that was slack has no past to weigh in: its new pull counts whole (implicit Euler).
         const bool was_slack = past == 0;
         const double weight = was_slack ? 1 : share.next, history = was_slack ? 0 : weighed;
@@ -81,15 +88,9 @@ void ChainSolver::measure_links(const ChainState& state) {
             was_slack ? tension : positive_part(std::fma(onwards, tension - tension_before, tension));
         pull_[i] = std::fma(weight, ahead, history);
     };
-    if (undamped) {
-        WINDLASS_VECTORISE
-        for (int i = state.asleep; i < state.links; ++i)
-            measure(i, std::true_type{});
-    } else {
-        WINDLASS_VECTORISE
-        for (int i = state.asleep; i < state.links; ++i)
-            measure(i, std::false_type{});
-    }
+    WINDLASS_VECTORISE
+    for (int i = state.asleep; i < state.links; ++i)
+        measure(i);
 }
 
 /// Damping in the mean pull of a step goes by the rate of a link's stretch from the step before last to the
@@ -135,13 +136,11 @@ void ChainSolver::take_tensions(ChainState& state, double travel) {
     const int top = state.links - 1;
     const auto keep = [&](int i, double elastic, double tension) WINDLASS_INLINE {
         state.tension[i] = tension;
+        state.elastic_tension_earlier[i] = state.elastic_tension_before[i];
         state.elastic_tension_before[i] = state.elastic_tension[i];
         state.elastic_tension[i] = elastic;
     };
     if (def_.damping_time == 0) {
-        if (!state.elastic_tension_earlier.empty())
-            std::copy_n(state.elastic_tension_before.begin() + state.asleep, state.links - state.asleep,
-                        state.elastic_tension_earlier.begin() + state.asleep);
         WINDLASS_VECTORISE
         for (int i = state.asleep; i <= top; ++i) {
             const double pull = end_tension(i);

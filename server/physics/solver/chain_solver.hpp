@@ -65,18 +65,16 @@ private:
     static constexpr double kPoint = 1e-9;
 
     /// Structural damping of a step, as shares of what a link changed its length by: since the step before
-    /// last and since the last; and of links whose pull counts whole (see measure_links) since the last.
+    /// last, and of links whose pull counts whole (see measure_links) since the last.
     struct LinkDamping {
-        double over_two_steps, over_last_step, whole;
+        double over_two_steps, over_this_step;
     };
     LinkDamping link_damping(double last) const;
     /// Damps link i by its stretch (m) now and a step earlier. Slack takes no damping.
     void damp(const LinkDamping& damping, int i, double stretch, double stretch_before) {
         const bool was_slack = inverse_weight_[i] == 1;
-        const double since_now = was_slack ? damping.whole : damping.over_last_step * inverse_weight_[i];
-        const double since_before = was_slack ? 0 : damping.over_two_steps * inverse_weight_[i];
-        damping_[i] = since_now + since_before;
-        damped_[i] = since_now * positive_part(stretch) + since_before * positive_part(stretch_before);
+        damping_[i] = was_slack ? damping.over_this_step : damping.over_two_steps * inverse_weight_[i];
+        damped_[i] = damping_[i] * positive_part(was_slack ? stretch : stretch_before);
     }
     void measure_links(const ChainState& state);
     void damp_links(const ChainState& state, double feed_speed);

