@@ -96,12 +96,15 @@ std::optional<std::string> hold_levers(station::Client& client, int side, const 
         }
         told(fmt::format("{} has the {} windlass", client.name(), name));
         const auto until = station::Clock::now() + std::chrono::duration<double>{duration};
-        auto last_mine = station::Clock::now();
+        auto last_mine = station::Clock::now(), last_look = last_mine;
         while (!station::stop_asked() && (duration <= 0 || station::Clock::now() < until)) {
             std::this_thread::sleep_for(20ms);
             const Picture now = client.picture();
-            if (mine(now)) last_mine = station::Clock::now();
-            if (station::Clock::now() - last_mine < kLost) continue;
+            const auto look = station::Clock::now();
+            // A hand that hung itself finds the levers with the next, and has to be heard again first.
+            if (mine(now) || look - last_look > kLost / 2) last_mine = look;
+            last_look = look;
+            if (look - last_mine < kLost) continue;
             const std::string who = other(now, side, client, heard(now));
             if (!who.empty()) return fmt::format("{} has taken the {} windlass", who, name);
         }
