@@ -137,10 +137,13 @@ void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& samp
     if (!taker)
         throw Refused(topic.name, "", "an order",
                       to_replay ? "no replay is heard here" : "no server is heard here");
-    if (!writers_.heard_by(topic, *taker))
-        throw Refused(topic.name, "", "an order",
-                      fmt::format("the {} does not hear this station yet: give it again",
-                                  to_replay ? "replay" : "server"));
+    if (!writers_.heard_by(topic, *taker)) {
+        Refused refusal(topic.name, "", "an order",
+                        fmt::format("the {} does not hear this station yet: give it again",
+                                    to_replay ? "replay" : "server"));
+        refusal.again = true;
+        throw refusal;
+    }
     writers_.write(topic, sample, by);
 }
 

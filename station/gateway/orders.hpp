@@ -22,6 +22,7 @@ struct Refused : std::runtime_error {
     std::string field; ///< by its IDL name, with those around it: "weather.wind_speed"
     std::string value; ///< as it came, cut to 64 characters
     std::string allowed;
+    bool again = false; ///< nobody hears it yet: the same may be taken in a moment
 };
 
 /// The fields of Origin.

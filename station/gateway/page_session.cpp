@@ -106,6 +106,7 @@ void PageSession::tell_refused(const json& id, const Refused& refusal) {
           {"field", refusal.field},
           {"value", refusal.value},
           {"allowed", refusal.allowed},
+          {"again", refusal.again},
           {"text", refusal.what()}});
 }
 

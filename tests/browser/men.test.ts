@@ -65,12 +65,7 @@ test("an instructor sets them to work at the desk and calls them back, and the f
     init: () => localStorage.setItem("windlass.views", "plan"),
   });
   await eventually("the windlass is heard of", () => men(desk).isEnabled());
-  // A station that has just begun may be told that the server does not hear it yet: then the order is given again.
-  await eventually("the order is taken", async () => {
-    await setTo(/^Buoy the cable/, desk);
-    await desk.waitForTimeout(500);
-    return (await men(desk).textContent()) === "Men: wait";
-  });
+  await setTo(/^Buoy the cable/, desk);
   await are("Men: wait", /the weight is not on the stopper/, desk);
   await are("Men: wait", /the weight is not on the stopper/);
   await men(desk).click();

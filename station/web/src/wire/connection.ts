@@ -39,6 +39,9 @@ export interface HelmLevers {
 }
 
 /** Why an order did not go out. */
+const kTryAgain = 500; // ms after which an order is given again that nobody heard yet
+const kTries = 20; // of one order
+
 export class Refused extends Error {
   constructor(
     text: string,
@@ -46,6 +49,7 @@ export class Refused extends Error {
     readonly field = "",
     readonly value = "",
     readonly allowed = "",
+    readonly again = false, // nobody hears it yet: the same may be taken in a moment
   ) {
     super(text);
   }
@@ -207,9 +211,15 @@ export class Connection {
     return this.held.size > 0;
   }
 
-  /** Gives an order: resolves when it is on its way, rejects with Refused. */
-  order(topic: TopicName, sample: OrderSample): Promise<void> {
-    return this.ask({ op: "order", topic, sample });
+  /** Gives an order, and again while nobody hears it yet: resolves when it is on its way, rejects with Refused. */
+  async order(topic: TopicName, sample: OrderSample): Promise<void> {
+    for (let tries = 1; ; ++tries)
+      try {
+        return await this.ask({ op: "order", topic, sample });
+      } catch (why) {
+        if (!(why instanceof Refused && why.again && tries < kTries)) throw why;
+        await new Promise((later) => setTimeout(later, kTryAgain));
+      }
   }
 
   /** Any message that is answered with sent or refused. */
@@ -337,6 +347,7 @@ export class Connection {
             `${message.field}`,
             `${message.value}`,
             `${message.allowed}`,
+            message.again === true,
           ),
         );
     }

@@ -225,6 +225,22 @@ test("levers that another station has taken are let go", (t) => {
   assert.equal(link.holds("helm"), false);
 });
 
+test("an order that nobody hears yet is given again until it is on its way", async (t) => {
+  const { link, socket } = connect(t);
+  socket().accept();
+  const settled = async (): Promise<void> => {
+    for (let k = 0; k < 9; ++k) await Promise.resolve();
+  };
+  const order = link.order("Report", {});
+  socket().say({ op: "refused", id: socket().sent[0]!.id, text: "not heard yet", again: true });
+  await settled();
+  timers.tick(500);
+  await settled();
+  assert.deepEqual(socket().ops(), ["order", "order"]);
+  socket().say({ op: "sent", id: socket().sent[1]!.id });
+  await order;
+});
+
 test("an order is done when it was sent, fails when it is refused, and when the link is lost", async (t) => {
   const { link, socket } = connect(t);
   await assert.rejects(link.order("Report", {}), /no connection/);
