@@ -10,12 +10,13 @@ namespace windlass::trainee {
 
 namespace {
 
-constexpr double kKept = 120;   // s of load that he remembers
-constexpr double kStands = 0.1; // m/s of cable
-constexpr double kRise = 1.1;   // of the mean of the 10 s before: it grows
-constexpr double kPulls = 1.4;  // times the least: she lies on it, and it does not only hang
-constexpr double kTight = 2;    // times the least since the cable stands, as the marks have it
-constexpr double kQuiet = 90;   // s in which the load of a ship that is brought up changes little
+constexpr double kKept = 120;    // s of load that he remembers
+constexpr double kStands = 0.1;  // m/s of cable
+constexpr double kRise = 1.1;    // of the mean of the 10 s before: it grows
+constexpr double kPulls = 1.4;   // times the least: she lies on it, and it does not only hang
+constexpr double kTight = 2;     // times the least since the cable stands, as the marks have it
+constexpr double kStrain = 60e3; // N, beyond the least: the cable has come to strain, and does not only hang
+constexpr double kQuiet = 90;    // s in which the load of a ship that is brought up changes little
 constexpr double kRides =
     120; // s that the cable has stood before he listens for it: a young anchor works its way in
 constexpr double kTrembles =
@@ -112,12 +113,16 @@ ReportOrder Answers::weight() const {
     return report;
 }
 
-/// The load has come, has gone back from its most, and has stood since; and the deck has been still.
+/// The load has come, has gone back from its most, and has stood since; the deck has been still; and the
+/// cable leads forward and away from the bow: over a heap it is up and down, and after a kick ahead it leads
+/// aft.
 bool Answers::is_up() const {
+    const bool forward = view_.lead_clock() <= 3 || view_.lead_clock() >= 9;
+    const bool away = view_.leads() && forward && angle_deg(view_) < words::limits::stay_short;
     const double now = mean(kQuiet / 2, 0), before = mean(kQuiet, kQuiet / 2);
-    const bool came = least_ > 0 && most_ > kTight * least_;
+    const bool came = least_ > 0 && most_ > kTight * least_ && most_ > least_ + kStrain;
     const bool quiet = time_ > std::max(stands_since_, trembled_) + kQuiet;
-    return came && quiet && now > kPulls * least_ && now < kRise * before && now * kRise > before &&
+    return away && came && quiet && now > kPulls * least_ && now < kRise * before && now * kRise > before &&
            now < most_;
 }
 

@@ -219,6 +219,9 @@ TEST(Mate, AnswersByWhatTheLoadCellShows) {
     trainee::Answers answers;
     ForecastleView view;
     view.load_cell_fitted(true);
+    view.leads(true);
+    view.lead_clock(11);
+    view.top_angle(static_cast<float>(30 * words::units::degree));
     const auto look = [&](double from, double to, auto load) {
         for (double time = from; time < to; time += 0.5) {
             view.gypsy_load_indicated(load(time));
@@ -237,8 +240,18 @@ TEST(Mate, AnswersByWhatTheLoadCellShows) {
     EXPECT_EQ(answers.brought_up().code, REPORT_BROUGHT_UP);
     EXPECT_TRUE(answers.comes_up());
     EXPECT_FALSE(answers.comes_up()) << "told once";
+    view.top_angle(static_cast<float>(80 * words::units::degree)); // the ship lies over a heap of it
+    look(260, 260.5, [](double) { return 160e3; });
+    EXPECT_EQ(answers.brought_up().code, REPORT_GROWING);
+    view.top_angle(static_cast<float>(30 * words::units::degree));
+    view.lead_clock(5); // she has gone ahead over it
+    look(260.5, 261, [](double) { return 160e3; });
+    EXPECT_EQ(answers.brought_up().code, REPORT_GROWING);
+    view.lead_clock(11);
+    look(261, 261.5, [](double) { return 160e3; });
+    EXPECT_EQ(answers.brought_up().code, REPORT_BROUGHT_UP);
     view.vibration(1); // the anchor gives way
-    look(260, 262, [](double) { return 160e3; });
+    look(262, 264, [](double) { return 160e3; });
     EXPECT_EQ(answers.brought_up().code, REPORT_GROWING);
 }
 
