@@ -150,6 +150,17 @@ std::vector<fs::path> lesson_files(const fs::path& folder) {
     return files;
 }
 
+std::vector<history::Offered> offered_lessons(const fs::path& folder) {
+    std::vector<history::Offered> all;
+    for (const fs::path& path : lesson_files(folder)) {
+        const LessonFile file = read_lesson_file(path);
+        all.push_back({file.lesson.id, file.lesson.title});
+    }
+    std::ranges::stable_partition(all,
+                                  [](const history::Offered& each) { return !each.id.starts_with('A'); });
+    return all;
+}
+
 std::string new_lesson(const std::string& id, const fs::path& from) {
     const nlohmann::ordered_json lesson{
         {"id", id},

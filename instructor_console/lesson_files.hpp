@@ -1,6 +1,7 @@
 #pragma once
 // Lesson files: read, doubted, begun.
 
+#include "instructor_console/history/next_lesson.hpp"
 #include "server/assess/lesson.hpp"
 #include "server/exercise/definition/exercise_def.hpp"
 #include "trainee_client/script.hpp"
@@ -30,6 +31,10 @@ std::vector<std::string> doubts(const LessonFile& file);
 
 /// Exercise files of a folder that have a lesson, by name.
 std::vector<std::filesystem::path> lesson_files(const std::filesystem::path& folder);
+
+/// Lessons of a folder in the order in which they are to be done: by name, those made of an accident (A01,
+/// ...) after the others. Throws exercise::ConfigError.
+std::vector<history::Offered> offered_lessons(const std::filesystem::path& folder);
 
 /// The text of a lesson to begin with. from: name or path of an exercise; empty: let_go_port_25m.
 std::string new_lesson(const std::string& id, const std::filesystem::path& from);

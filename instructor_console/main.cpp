@@ -2,6 +2,7 @@
 
 #include "instructor_console/commands.hpp"
 #include "instructor_console/lesson_command.hpp"
+#include "instructor_console/lesson_files.hpp"
 #include "instructor_console/recording_position.hpp"
 
 #include <iostream>
@@ -181,7 +182,7 @@ int main(int argc, char** argv) {
     console::add_classroom(app, options.classroom, [&chosen] { chosen = command::classroom; });
     history::add_history(app, options.history, [&chosen] {
         chosen = [](const Options& o) {
-            history::carry_out(o.history, o.as_json);
+            history::carry_out(o.history, o.as_json, console::offered_lessons);
             return int{station::kOk};
         };
     });

@@ -3,6 +3,7 @@
 // anywhere unless somebody exports it.
 
 #include "instructor_console/history/database.hpp"
+#include "instructor_console/history/next_lesson.hpp"
 #include "recorder/debrief/attempt.hpp"
 
 namespace windlass::history {
@@ -57,6 +58,11 @@ public:
     std::string confirm(const std::string& attempt, const Word& word, const std::string& now);
 
     std::vector<Listed> list(const Wanted& wanted = {});
+
+    /// As next_lesson() has it.
+    std::optional<NextLesson> next(const std::string& pseudonym, const std::vector<Offered>& offered) {
+        return next_lesson(database_, pseudonym, offered);
+    }
 
     /// RFC 4180: a row for each seat of each attempt. Names only where they are asked for.
     std::string csv(bool with_names);

@@ -93,6 +93,20 @@ void list(History& history, const HistoryOptions& options, bool as_json) {
     std::fflush(stdout);
 }
 
+void tell_next(History& history, const HistoryOptions& options, bool as_json,
+               const std::vector<Offered>& offered) {
+    const auto next = history.next(options.trainee, offered);
+    if (!next) return tell(as_json, "all lessons are achieved", {{"lesson", nullptr}});
+    std::string text = fmt::format("{} {}\n{}", next->lesson.id, next->lesson.title, next->why);
+    if (!next->recording.empty())
+        text += fmt::format("\nwhat would have kept each point: recorder whatif {}", next->recording);
+    tell(as_json, text,
+         {{"lesson", next->lesson.id},
+          {"title", next->lesson.title},
+          {"why", next->why},
+          {"recording", next->recording}});
+}
+
 void write_csv(History& history, const HistoryOptions& options) {
     const std::string csv = history.csv(options.with_names);
     if (options.output == "-") {
@@ -160,6 +174,13 @@ void add_history(CLI::App& app, HistoryOptions& options, const std::function<voi
     show.add_option("--trainee", options.trainee, "of that pseudonym");
     show.add_option("--lesson", options.lesson, "of that lesson or exercise, by name");
 
+    CLI::App& next = add("next", "the lesson that somebody should do next, and why", What::next);
+    next.add_option("trainee", options.trainee, "pseudonym")->required();
+    next.add_option("--lessons", options.lessons,
+                    "folder of the lessons that are offered: by their names, accidents last")
+        ->check(CLI::ExistingDirectory)
+        ->capture_default_str();
+
     CLI::App& confirm = add("confirm", "an assessor's word on an attempt", What::confirm);
     confirm.add_option("attempt", options.attempt, "its id, or enough of its beginning")->required();
     confirm.add_option("--by", options.by, "who says so")->required();
@@ -184,7 +205,8 @@ void add_history(CLI::App& app, HistoryOptions& options, const std::function<voi
         "Nothing leaves this computer unless it is exported. Recordings are files of their own, and stay.");
 }
 
-void carry_out(const HistoryOptions& options, bool as_json) {
+void carry_out(const HistoryOptions& options, bool as_json,
+               const std::function<std::vector<Offered>(const std::filesystem::path&)>& offered) {
     using What = HistoryOptions::What;
     if (options.what != What::add && !std::filesystem::exists(options.file))
         throw std::runtime_error(options.file.string() +
@@ -195,6 +217,8 @@ void carry_out(const HistoryOptions& options, bool as_json) {
         return add(history, options, as_json);
     case What::list:
         return list(history, options, as_json);
+    case What::next:
+        return tell_next(history, options, as_json, offered(options.lessons));
     case What::confirm:
         return tell(as_json,
                     fmt::format("confirmed by {}: {}", options.by,

@@ -8,6 +8,7 @@
 #include "tests/recorder/debriefed.hpp"
 #include "tests/recorder/folder.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,6 +41,41 @@ protected:
 
     test::Folder folder_;
 };
+
+TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatIsNot) {
+    const std::vector<Offered> offered{{"L01", "Let go"}, {"L02", "Lower"}, {"L03", "Walk back"}};
+    History history(file());
+    int day = 0;
+    const auto done = [&](const char* lesson, const char* outcome, bool practice = false) {
+        test::DebriefedRun run;
+        run.run = ++day;
+        auto of = attempt(fmt::format("day {}", day).c_str(), run);
+        of.origin.began_unix_ns += day * 86'400'000'000'000;
+        of.lesson.json = fmt::format(
+            R"({{"id": "{}", "objectives": [{{"id": "run", "text": "Holds the fall"}}]}})", lesson);
+        of.assessment->lesson_hash(static_cast<std::uint64_t>(day));
+        of.assessment->outcome(outcome);
+        of.assessment->practice(practice);
+        history.add(of, {{.pseudonym = "t1", .name = "", .group = ""}}, fmt::format("day {}", day));
+    };
+    const auto next = [&] { return history.next("t1", offered); };
+    EXPECT_THROW(next(), std::invalid_argument) << "nobody of that name";
+    done("L02", "not_yet");
+    EXPECT_EQ(next()->lesson.id, "L02");
+    EXPECT_THAT(next()->why, HasSubstr("not yet: Holds the fall"));
+    EXPECT_THAT(next()->recording, HasSubstr("day 1"));
+    done("L02", "achieved", true);
+    EXPECT_EQ(next()->lesson.id, "L02") << "practice is no test";
+    EXPECT_THAT(next()->why, HasSubstr("without hints"));
+    done("L02", "achieved");
+    EXPECT_EQ(next()->lesson.id, "L01");
+    EXPECT_EQ(next()->why, "not done yet");
+    done("L01", "achieved");
+    done("L02", "not_yet"); // once achieved, it is
+    EXPECT_EQ(next()->lesson.id, "L03");
+    done("L03", "achieved");
+    EXPECT_FALSE(next());
+}
 
 TEST_F(HistoryTest, MarksAreThoseOfTheRecording) {
     const auto of = attempt("monday");

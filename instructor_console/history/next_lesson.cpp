@@ -1,0 +1,86 @@
+#include "instructor_console/history/next_lesson.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+namespace windlass::history {
+
+namespace {
+
+using nlohmann::json;
+
+/// One attempt of his.
+struct Done {
+    std::string attempt, outcome, recording;
+    json lesson; ///< as the server had it; an object without members where none was kept
+    bool practice;
+    std::string id() const { return lesson.value("id", ""); }
+};
+
+std::vector<Done> done_by(Database& database, const std::string& pseudonym) {
+    if (database.run("SELECT id FROM trainee WHERE pseudonym = ?", {pseudonym}).empty())
+        throw std::invalid_argument(fmt::format("\"{}\": there is no trainee of that pseudonym", pseudonym));
+    std::vector<Done> all;
+    for (const Row& row : database.run(
+             "SELECT attempt.id, coalesce(outcome_final, outcome), recording, lesson.json, practice FROM "
+             "attempt "
+             "JOIN lesson ON lesson.hash = lesson_hash WHERE EXISTS(SELECT 1 FROM seat JOIN trainee ON "
+             "trainee.id = seat.trainee WHERE seat.attempt = attempt.id AND pseudonym = ?) ORDER BY "
+             "began_at, "
+             "attempt.id",
+             {pseudonym})) {
+        json lesson = json::parse(text_of(row[3]), nullptr, false);
+        if (!lesson.is_object()) lesson = json::object();
+        all.push_back(
+            {text_of(row[0]), text_of(row[1]), text_of(row[2]), std::move(lesson), integer_of(row[4]) == 1});
+    }
+    return all;
+}
+
+/// "not yet: takes the weight from the motor; not shown: ..."; empty: every objective was achieved.
+std::string missing(Database& database, const Done& of) {
+    std::string text;
+    for (const Row& row : database.run(
+             "SELECT id, outcome FROM objective WHERE attempt = ? AND outcome <> 'achieved'", {of.attempt})) {
+        std::string said = text_of(row[0]);
+        for (const json& objective : of.lesson.value("objectives", json::array()))
+            if (objective.value("id", "") == said) said = objective.value("text", said);
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ",
+                            text_of(row[1]) == "not_shown" ? "not shown" : "not yet", said);
+    }
+    return text;
+}
+
+std::string why_again(Database& database, const Done& last) {
+    if (last.outcome == "achieved") return "done for practice; now as a test, without hints";
+    const std::string objectives = missing(database, last);
+    return objectives.empty() ? "it was not achieved" : objectives;
+}
+
+} // namespace
+
+std::optional<NextLesson> next_lesson(Database& database, const std::string& pseudonym,
+                                      const std::vector<Offered>& offered) {
+    const std::vector<Done> all = done_by(database, pseudonym);
+    std::set<std::string> achieved, tried;
+    for (const Done& each : all) {
+        tried.insert(each.id());
+        if (!each.practice && each.outcome == "achieved") achieved.insert(each.id());
+    }
+    const auto open = [&](const Offered& lesson) { return !achieved.contains(lesson.id); };
+    if (!all.empty()) {
+        const Done& last = all.back();
+        const auto again = std::ranges::find(offered, last.id(), &Offered::id);
+        if (again != offered.end() && open(*again))
+            return {{*again, why_again(database, last), last.recording}};
+    }
+    const auto first = std::ranges::find_if(offered, open);
+    if (first == offered.end()) return std::nullopt;
+    return {{*first, tried.contains(first->id) ? "tried before, and not achieved" : "not done yet", ""}};
+}
+
+} // namespace windlass::history

@@ -1,0 +1,29 @@
+#pragma once
+// What somebody should practise next, by a rule that he can read: docs/instructor.md, "What next".
+
+#include "instructor_console/history/database.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace windlass::history {
+
+/// A lesson that a centre offers.
+struct Offered {
+    std::string id, title; ///< id: as in its file, "L01"
+};
+
+struct NextLesson {
+    Offered lesson;
+    std::string why;       ///< in words
+    std::string recording; ///< of the attempt that it follows from; empty: of none
+};
+
+/// The lesson that he did last, as long as he has not achieved it in a test; else the first one offered, in
+/// their order, that he has not; nothing: he has achieved them all. Throws std::invalid_argument when there
+/// is no such trainee.
+std::optional<NextLesson> next_lesson(Database& database, const std::string& pseudonym,
+                                      const std::vector<Offered>& offered);
+
+} // namespace windlass::history
