@@ -49,7 +49,8 @@ std::vector<Mark> Judgement::deductions() const {
 std::vector<Mark> Judgement::strongest(int most) const {
     std::vector<Mark> found;
     std::ranges::copy_if(marks, std::back_inserter(found), [](const Mark& mark) {
-        return mark.points > 0 && mark.lost == 0 && mark.criterion->state() != CRITERION_OPEN;
+        return mark.criterion->deed() && mark.points > 0 && mark.lost == 0 &&
+               mark.criterion->state() != CRITERION_OPEN;
     });
     std::ranges::stable_sort(found, std::greater{}, &Mark::points);
     found.resize(std::min(found.size(), static_cast<std::size_t>(most)));

@@ -27,7 +27,7 @@ struct Judgement {
     std::vector<Mark> marks; ///< as the topic has them; criteria are the attempt's
 
     std::vector<Mark> deductions() const;        ///< points were lost, by time
-    std::vector<Mark> strongest(int most) const; ///< full marks, the heaviest first
+    std::vector<Mark> strongest(int most) const; ///< deeds with full marks, the heaviest first
 };
 
 /// Empty where nothing was assessed. The attempt must outlive it.

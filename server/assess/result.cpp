@@ -185,6 +185,7 @@ CriterionResult criterion_result(const Lesson& lesson, const State& state, std::
             .counts = milli.has_value(),
             .met = milli && is_met(*milli),
             .must = criterion.must,
+            .deed = !is_safeguard(criterion, mark),
             .tick = wire_tick(mark.decided),
             .lost_tick = wire_tick(first_loss(lesson, state, k))};
 }

@@ -13,11 +13,11 @@ struct CriterionResult {
     CriterionState state = CriterionState::not_in_play;
     double limit = 0, worst = 0, time_outside = 0;
     int weight = 0, milli = 0, counted = 0;
-    bool counts = false, met = false, must = false;
+    bool counts = false, met = false, must = false, deed = false;
     std::uint64_t tick = 0, lost_tick = 0;
 };
 WINDLASS_FIELDS(CriterionResult, code, text, objective, reason, unit, kind, state, limit, worst, time_outside,
-                weight, milli, counted, counts, met, must, tick, lost_tick)
+                weight, milli, counted, counts, met, must, deed, tick, lost_tick)
 
 enum class Outcome { none, achieved, not_yet, not_shown };
 

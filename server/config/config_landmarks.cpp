@@ -10,6 +10,11 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// From one bearing clockwise to another, 0 to 360 degrees.
+double clockwise(double from, double to) {
+    return to < from ? to + 360 - from : to - from;
+}
+
 /// Each flash after the one before it, and the last over before the next period begins.
 void check_light(const Json& mark, const std::string& at, std::vector<std::string>& faults) {
     const bool lit = mark.value("light", "none") != "none";
@@ -31,6 +36,31 @@ void check_light(const Json& mark, const std::string& at, std::vector<std::strin
                 "and over within the period, {} s",
                 at, k, flashes[k].dump(), over, period));
         over = end;
+    }
+}
+
+/// Of a light alone, each of another colour than its own, and none in another.
+void check_sectors(const Json& mark, const std::string& at, std::vector<std::string>& faults) {
+    const Json sectors = mark.value("sectors", Json::array());
+    const std::string light = mark.value("light", "none");
+    std::vector<std::pair<double, double>> taken; // degrees: where it begins, how far it goes clockwise
+    for (std::size_t k = 0; k < sectors.size(); ++k) {
+        const double from = sectors[k]["from_deg"], to = sectors[k]["to_deg"];
+        const double wide = clockwise(from, to);
+        const std::string place = fmt::format("{}/sectors/{}", at, k);
+        if (light == "none" || sectors[k]["light"] == light)
+            faults.push_back(
+                fmt::format("{}/light: {} is not allowed: {}", place, sectors[k]["light"].dump(),
+                            light == "none" ? "the mark has no light" : "the light's own colour"));
+        if (wide == 0)
+            faults.push_back(
+                fmt::format("{}/to_deg: {} is not allowed: another bearing than from_deg", place, to));
+        for (const auto& [begin, far] : taken)
+            if (clockwise(begin, from) < far || clockwise(from, begin) < wide)
+                faults.push_back(
+                    fmt::format("{}: {} to {} is not allowed: within another sector, which begins at {}",
+                                place, from, to, begin));
+        taken.emplace_back(from, wide);
     }
 }
 
@@ -63,6 +93,7 @@ std::vector<std::string> landmark_faults(const std::string& landmarks) {
                 fmt::format("{}/name: {} is not allowed: another mark has it", at, marks[k]["name"].dump()));
         check_name(marks[k], at, faults);
         check_light(marks[k], at, faults);
+        check_sectors(marks[k], at, faults);
     }
     for (std::size_t k = 0; k < transits.size(); ++k) {
         check_name(transits[k], fmt::format("/landmarks/transits/{}", k), faults);

@@ -56,6 +56,12 @@ Landmark landmark(const Json& from) {
         flash.begin(each[0]);
         flash.duration(each[1]);
     }
+    for (const Json& each : list(from, "sectors")) {
+        LightSector& sector = to.sectors().emplace_back();
+        sector.light(named<LightColour>(words::kLightNames, each["light"]));
+        sector.from(static_cast<float>(physics::radians_from_degrees(each["from_deg"])));
+        sector.to(static_cast<float>(physics::radians_from_degrees(each["to_deg"])));
+    }
     return to;
 }
 

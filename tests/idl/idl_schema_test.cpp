@@ -18,8 +18,8 @@ TEST(IdlSchema, KnowsTheTypeOfEveryTopicByTheNameOfThisVersion) {
         EXPECT_NE(own_schema().find(wire::type_name(row)), nullptr) << row.name;
     for (const auto& row : wire::topics::classroom)
         EXPECT_NE(own_schema().find(wire::type_name(row)), nullptr) << row.name;
-    EXPECT_EQ(wire::type_name(wire::topics::server_alert), "windlass::v7::Alert");
-    EXPECT_EQ(own_schema().find("windlass::v7::ServerAlert"), nullptr);
+    EXPECT_EQ(wire::type_name(wire::topics::server_alert), "windlass::v8::Alert");
+    EXPECT_EQ(own_schema().find("windlass::v8::ServerAlert"), nullptr);
     EXPECT_EQ(own_schema().find("windlass::ShipState"), nullptr) << "a type of version 1";
 }
 

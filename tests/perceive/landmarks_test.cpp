@@ -40,7 +40,8 @@ TEST(LandmarksOfAnExercise, StandWhereItsFileSays) {
         "coasts": [{"colour": "#4c5f4e", "shore": [[1, 2], [3, 4]], "ridge": [[5, 6, 7], [8, 9, 10]]}],
         "lamps": [[1, 2, 30]],
         "marks": [
-            {"name": "Front", "kind": "beacon", "x": 10, "y": 500, "height": 12, "light": "white"},
+            {"name": "Front", "kind": "beacon", "x": 10, "y": 500, "height": 12, "light": "white",
+             "sectors": [{"light": "red", "from_deg": 270, "to_deg": 90}]},
             {"name": "Bank", "kind": "buoy_west", "x": -20, "y": 40, "height": 6, "light": "white", "period": 15,
              "flashes": [[0, 0.5], [2, 0.5]]},
             {"name": "Rear", "kind": "tower", "x": 10, "y": 900, "height": 40}],
@@ -61,6 +62,9 @@ TEST(LandmarksOfAnExercise, StandWhereItsFileSays) {
     EXPECT_STREQ(told.marks()[0].name().c_str(), "Front");
     EXPECT_EQ(told.marks()[0].kind(), LandmarkKind::LANDMARK_BEACON);
     EXPECT_TRUE(told.marks()[0].flashes().empty()) << "a fixed light";
+    EXPECT_EQ(told.marks()[0].sectors().at(0).light(), LightColour::LIGHT_RED);
+    EXPECT_FLOAT_EQ(told.marks()[0].sectors()[0].from(), static_cast<float>(1.5 * std::numbers::pi));
+    EXPECT_FLOAT_EQ(told.marks()[0].sectors()[0].to(), static_cast<float>(0.5 * std::numbers::pi));
     EXPECT_EQ(told.marks()[1].kind(), LandmarkKind::LANDMARK_BUOY_WEST);
     EXPECT_EQ(told.marks()[1].light(), LightColour::LIGHT_WHITE);
     EXPECT_EQ(told.marks()[1].period(), 15);

@@ -143,6 +143,14 @@ TEST(DebriefTest, PointsLostAreTheShareOfTheCriteriaInPlay) {
     EXPECT_EQ(judgement.strongest(3)[0].criterion->code(), "clutch");
 }
 
+TEST(DebriefTest, WhatOnlyGuardsIsNotPraised) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("What went well"));
+    attempt.assessment->criteria()[0].deed(false); // the clutch was out from the beginning
+    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("What went well")));
+}
+
 TEST(DebriefTest, PracticeSaysSoWithItsHintsAndPassesAndFailsNobody) {
     const Folder folder;
     Attempt attempt = attempt_of(folder);

@@ -34,6 +34,7 @@ inline Criterion criterion(const char* code, CriterionKind kind, CriterionState 
     made.counted(milli);
     made.counts(state != CRITERION_NOT_IN_PLAY);
     made.met(state == CRITERION_MET);
+    made.deed(kind != CRITERION_LIMIT && kind != CRITERION_FINAL);
     made.objective(objective);
     made.tick(tick_at(decided));
     made.reason(reason);

@@ -141,8 +141,8 @@ TEST(RecorderProgram, ReadersOfOthersDecodeEveryMessageOfEveryTopic) {
         EXPECT_TRUE(expected.contains("OrderTaken"));
         for (const auto& [topic, messages] : expected)
             EXPECT_EQ(found["topics"][topic]["messages"], messages) << topic;
-        EXPECT_EQ(found["topics"]["ServerAlert"]["type"], "windlass::v7::Alert");
-        EXPECT_EQ(found["topics"]["InstructorHelmCommand"]["type"], "windlass::v7::HelmCommand");
+        EXPECT_EQ(found["topics"]["ServerAlert"]["type"], "windlass::v8::Alert");
+        EXPECT_EQ(found["topics"]["InstructorHelmCommand"]["type"], "windlass::v8::HelmCommand");
         EXPECT_EQ(found["topics"]["ShipState"]["last_time"], 3.0) << "decoded, not only counted";
         EXPECT_THAT(found["attachments"], Contains("ships/bulk_carrier_225m.json"));
     }

@@ -2,7 +2,7 @@
 // on next time. It opens by itself when the marks are told, and is behind its button from then on.
 
 import type { Connection } from "../wire/connection";
-import { type Assessment, type Criterion, CriterionKind, CriterionState } from "../wire/generated";
+import { type Assessment, type Criterion, CriterionState } from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import { written } from "./orders";
@@ -24,18 +24,10 @@ export function toWorkOn(criteria: Criterion[]): Criterion[] {
     .sort((a, b) => Number(b.must) - Number(a.must) || lost(b) - lost(a));
 }
 
-// What no hand need do for: it says what must not be, or how it is to be at the end.
-const kGuards = new Set([
-  CriterionKind.CRITERION_LIMIT,
-  CriterionKind.CRITERION_PROHIBITED,
-  CriterionKind.CRITERION_FINAL,
-]);
-
 /** What went well: what was done, and what only was not broken, which is no deed to praise. */
 export function wentWell(criteria: Criterion[]): { did: Criterion[]; kept: Criterion[] } {
   const well = criteria.filter(({ counts, met, milli }) => counts && met && milli > 0);
-  const guards = ({ kind }: Criterion): boolean => kGuards.has(kind);
-  return { did: well.filter((one) => !guards(one)), kept: well.filter(guards) };
+  return { did: well.filter(({ deed }) => deed), kept: well.filter(({ deed }) => !deed) };
 }
 
 /** "Achieved: 87 of 100 points, 70 are needed". */

@@ -9,6 +9,8 @@ import type { Pixel } from "./projection";
 const kPlace = 2; // px, of the small ring that marks the place
 const kHigh = 13; // px, of a buoy's body
 const kBroad = { can: [5, 5], cone: [6, 0], pillar: [5, 2] } as const; // px, half of it, below and above
+const kArc = 34; // px, of a sector's arc
+const kLimit = 60; // px, of a sector's limit
 const kTopmark = 5; // px, of a topmark's part
 
 /** A flare, as of all that is lit. */
@@ -18,9 +20,35 @@ export function flare({ c, colours }: Sheet, { light }: Landmark, p: Pixel): voi
   c.moveTo(p.x, p.y);
   c.quadraticCurveTo(p.x + 12, p.y + 4, p.x + 18, p.y + 15);
   c.quadraticCurveTo(p.x + 6, p.y + 16, p.x, p.y);
-  const { red, green } = colours.paints;
-  c.fillStyle = light === LightColour.LIGHT_RED ? red : light === LightColour.LIGHT_GREEN ? green : colours.light;
+  c.fillStyle = paint(colours, light);
   c.fill();
+}
+
+function paint({ paints, light }: Sheet["colours"], of: LightColour): string {
+  return of === LightColour.LIGHT_RED ? paints.red : of === LightColour.LIGHT_GREEN ? paints.green : light;
+}
+
+/** A light's sectors, as a chart has them: their limits, and between them an arc in their colour; none where hidden. */
+export function lightSectors({ c, at, colours }: Sheet, { light, sectors }: Landmark, p: Pixel): void {
+  const seaward = (bearing: number): number => bearing + Math.PI / 2 - at.up; // of canvas, from the light and not towards it
+  for (const { from, to } of sectors)
+    for (const limit of [from, to]) {
+      const angle = seaward(limit);
+      const tip = { x: p.x + kLimit * Math.cos(angle), y: p.y + kLimit * Math.sin(angle) };
+      line(c, p, tip, { colour: colours.quiet, width: 1, dash: [4, 4] });
+    }
+  const arc = (from: number, to: number, colour: LightColour): void => {
+    if (colour === LightColour.LIGHT_NONE) return;
+    c.beginPath();
+    c.arc(p.x, p.y, kArc, seaward(from), seaward(to));
+    stroke(c, { colour: paint(colours, colour), width: 3 });
+  };
+  const ordered = [...sectors].sort((a, b) => a.from - b.from);
+  ordered.forEach(({ light: own, from, to }, k) => {
+    arc(from, to, own);
+    const next = ordered[(k + 1) % ordered.length]!.from;
+    if (next !== to) arc(to, next, light);
+  });
 }
 
 /** Of what stands on shore: a lighthouse is a point, a tower a ring with a point, a beacon a board on a staff. */

@@ -14,7 +14,7 @@ import {
 import type { Sheet } from "./layers";
 import { label, line, stroke } from "./pen";
 import { type Pixel, directionTo, distance, ofShip, pointAt } from "./projection";
-import { buoyMark, flare, shoreMark } from "./seamarks";
+import { buoyMark, flare, lightSectors, shoreMark } from "./seamarks";
 import { t } from "../kit/language";
 
 const kInland = 1500; // m, of what the chart takes as land behind a ridge
@@ -51,6 +51,7 @@ export function surroundings(sheet: Sheet, all: Landmarks): void {
     const p = sheet.at.toScreen(landmark.x, landmark.y);
     const buoy = buoyOf(landmark.kind, all.region_b);
     flare(sheet, landmark, p);
+    lightSectors(sheet, landmark, p);
     if (buoy) buoyMark(sheet, buoy, p);
     else shoreMark(sheet, landmark, p);
   }

@@ -64,6 +64,14 @@ void main() {
     this.lit.needsUpdate = true;
   }
 
+  /** Gives one of them another colour, by its number. */
+  paint(which: number, colour: V3): void {
+    const paints = this.mesh.geometry.getAttribute("paint");
+    if (paints.getX(which) === Math.fround(colour[0]) && paints.getY(which) === Math.fround(colour[1])) return;
+    paints.setXYZ(which, ...colour);
+    paints.needsUpdate = true;
+  }
+
   /** Moves one of them, by its number; m in the parent's frame. */
   move(which: number, at: V3): void {
     const places = this.mesh.geometry.getAttribute("position");

@@ -2,7 +2,7 @@
 
 import { Group, Mesh } from "three";
 import { buoyOf } from "../surroundings/buoyage";
-import { flashes, isBuoy, points } from "../surroundings/surroundings";
+import { colourSeen, flashes, isBuoy, points } from "../surroundings/surroundings";
 import {
   type AnchoredShip,
   type Coast,
@@ -82,7 +82,11 @@ export class LandmarksScene {
     const { buoys, shore, lights, marks } = this.drawn;
     buoys.ride(sea, x, y, time, (mark, at) => lights.move(marks.indexOf(mark), at));
     shore.show(dark, pixels, fogDensity);
-    marks.forEach((mark, k) => lights.light(k, flashes(mark, time)));
+    marks.forEach((mark, k) => {
+      const colour = colourSeen(mark, [x, y]);
+      if (mark.sectors.length > 0) lights.paint(k, kColours[colour]);
+      lights.light(k, colour !== LightColour.LIGHT_NONE && flashes(mark, time));
+    });
     lights.show(dark, pixels, fogDensity);
   }
 

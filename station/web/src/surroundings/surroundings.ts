@@ -6,6 +6,8 @@ import { type Landmark, LandmarkKind, LightColour } from "../wire/generated";
 /** Of a light: what one sees of it. */
 type Rhythm = Pick<Landmark, "light" | "period" | "flashes">;
 
+const kTurn = 2 * Math.PI;
+
 const kVeryQuick = 0.75; // s from flash to flash, at most: 80 flashes a minute (IALA, rhythmic characters)
 const kQuick = 1.2; // s, the same: 50 a minute
 const kLong = 2; // s that a long flash lasts at least
@@ -20,7 +22,7 @@ const kMorse: Readonly<Record<string, string>> = {
 
 const kLetters: Record<LightColour, string> = {
   [LightColour.LIGHT_NONE]: "",
-  [LightColour.LIGHT_WHITE]: "", // a chart writes W only where there are other colours beside it
+  [LightColour.LIGHT_WHITE]: "W", // a chart writes it only where there are other colours beside it
   [LightColour.LIGHT_RED]: "R",
   [LightColour.LIGHT_GREEN]: "G",
   [LightColour.LIGHT_YELLOW]: "Y",
@@ -47,15 +49,35 @@ export function flashes(of: Rhythm, time: number): boolean {
   return of.flashes.some(({ begin, duration }) => since >= begin && since < begin + duration);
 }
 
-/** As the chart writes it: "Fl(2) 10s 52m", "Q(6)+LFl 15s"; a buoy has no height; empty: unlit. */
+/** rad clockwise from one direction to another, 0 to a turn. */
+const clockwise = (from: number, to: number): number => (((to - from) % kTurn) + kTurn) % kTurn;
+
+/** Its colour for an eye at that place, m, world: a sector's, where the eye is in one. */
+export function colourSeen(
+  { x, y, light, sectors }: Pick<Landmark, "x" | "y" | "light" | "sectors">,
+  eye: readonly [x: number, y: number],
+): LightColour {
+  const bearing = Math.atan2(x - eye[0], y - eye[1]); // of the light, from seaward
+  return sectors.find(({ from, to }) => clockwise(from, bearing) < clockwise(from, to))?.light ?? light;
+}
+
+/** Its colours as the chart has them: none if it is white all round, "R", "WR". */
+function letters({ light, sectors }: Pick<Landmark, "light" | "sectors">): string {
+  const all = [...new Set([light, ...sectors.map((one) => one.light)])].sort((a, b) => a - b);
+  const written = all.map((one) => kLetters[one]).join("");
+  return written === "W" ? "" : written;
+}
+
+/** As the chart writes it: "Fl(2) WR 10s 52m", "Q(6)+LFl 15s"; a buoy has no height; empty: unlit. */
 export function character(landmark: Landmark): string {
   if (!isLit(landmark)) return "";
-  const { kind, light, period, height } = landmark;
+  const { kind, period, height } = landmark;
   const height_ = isBuoy(kind) ? "" : `${Math.round(height)}m`;
-  if (isFixed(landmark)) return ["F", kLetters[light], height_].filter(Boolean).join(" ");
+  const colours = letters(landmark);
+  if (isFixed(landmark)) return ["F", colours, height_].filter(Boolean).join(" ");
   const name = rhythm(landmark);
   const period_ = name === "Q" || name === "VQ" ? "" : `${Math.round(10 * period) / 10}s`; // they go on without a break
-  return [name, kLetters[light], period_, height_].filter(Boolean).join(" ");
+  return [name, colours, period_, height_].filter(Boolean).join(" ");
 }
 
 /** The class of its rhythm and how many are in a group: "Fl(2)". */

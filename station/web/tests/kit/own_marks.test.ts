@@ -20,6 +20,7 @@ const criterion = (code: string, more: Partial<Criterion>): Criterion => ({
   counts: true,
   met: false,
   must: false,
+  deed: false,
   objective: "",
   reason: "",
   tick: 0,
@@ -43,15 +44,17 @@ test("what must be is worked on first, then what cost most; what is met or was n
 
 test("what only was not broken is not told as done", () => {
   const met = { met: true, counts: true, milli: 1000 };
-  const kinds = ["LIMIT", "SEQUENCE", "STATE_AT", "ORDER", "REPORT", "PROHIBITED", "FINAL", "RUBRIC"] as const;
   const { did, kept } = wentWell([
-    ...kinds.map((kind) => criterion(kind, { ...met, kind: CriterionKind[`CRITERION_${kind}`] })),
+    criterion("reported", { ...met, deed: true }),
+    criterion("brake on before the clutch", { ...met, kind: CriterionKind.CRITERION_STATE_AT, deed: true }),
+    criterion("stopper closed from the beginning", { ...met, kind: CriterionKind.CRITERION_STATE_AT }),
+    criterion("speed", { ...met, kind: CriterionKind.CRITERION_LIMIT }),
     criterion("missed", { counts: true }),
     criterion("not in play", { ...met, counts: false }),
   ]);
   const names = (list: Criterion[]) => list.map(({ code }) => code);
-  assert.deepEqual(names(did), ["SEQUENCE", "STATE_AT", "ORDER", "REPORT", "RUBRIC"]);
-  assert.deepEqual(names(kept), ["LIMIT", "PROHIBITED", "FINAL"]);
+  assert.deepEqual(names(did), ["reported", "brake on before the clutch"]);
+  assert.deepEqual(names(kept), ["stopper closed from the beginning", "speed"]);
 });
 
 test("the outcome is the server's, beside what is needed", () => {

@@ -93,7 +93,7 @@ test("a grid of soundings that is thinned is a grid, and none stand closer than 
 
 test("names of marks do not lie on one another: a lighthouse has its own before what stands close to it", () => {
   const mark = (name: string, kind: LandmarkKind, x: number): Landmark => {
-    return { name, kind, x, y: 0, height: 20, light: LightColour.LIGHT_NONE, period: 0, flashes: [] };
+    return { name, kind, x, y: 0, height: 20, light: LightColour.LIGHT_NONE, period: 0, flashes: [], sectors: [] };
   };
   const marks = [
     mark("Church", LandmarkKind.LANDMARK_TOWER, 0),

@@ -96,6 +96,7 @@ const landmarks: Landmarks = {
       light: LightColour.LIGHT_GREEN,
       period: 4,
       flashes: [{ begin: 0, duration: 1 }],
+      sectors: [],
     })),
   transits: [{ name: "leading line", front: LandmarkKind.LANDMARK_BEACON, rear: LandmarkKind.LANDMARK_TOWER }],
   ships: [{ x: -300, y: 600, heading: 1, length: 150, beam: 26 }],

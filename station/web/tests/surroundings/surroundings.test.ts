@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { buoyOf } from "../../src/surroundings/buoyage";
-import { character, flashes, points } from "../../src/surroundings/surroundings";
+import { character, colourSeen, flashes, points } from "../../src/surroundings/surroundings";
 import { type Landmark, LandmarkKind, LightColour } from "../../src/wire/generated";
 
 const { LANDMARK_LIGHTHOUSE, LANDMARK_BUOY_PORT, LANDMARK_BUOY_STARBOARD } = LandmarkKind;
@@ -20,6 +20,7 @@ const lighthouse: Landmark = {
     { begin: 0, duration: 0.5 },
     { begin: 2.5, duration: 0.5 },
   ],
+  sectors: [],
 };
 
 /** A buoy's light: so many flashes, s from one to the next. */
@@ -47,6 +48,22 @@ test("a fixed light burns always, and what is unlit never and has no character",
   const unlit = { ...lighthouse, light: LightColour.LIGHT_NONE };
   assert.equal(flashes(unlit, 0), false);
   assert.equal(character(unlit), "");
+});
+
+test("a sector has its colour between its bearings from seaward, one over north, too, and none where it is hidden", () => {
+  const degrees = Math.PI / 180;
+  const { LIGHT_WHITE, LIGHT_RED, LIGHT_NONE } = LightColour;
+  const sectors = [
+    { light: LIGHT_RED, from: 345 * degrees, to: 11 * degrees },
+    { light: LIGHT_NONE, from: 95 * degrees, to: 250 * degrees },
+  ];
+  const light = { ...lighthouse, sectors };
+  /** From 1000 m off, where the light bears so. */
+  const seen = (bearing: number): LightColour =>
+    colourSeen(light, [light.x - 1000 * Math.sin(bearing * degrees), light.y - 1000 * Math.cos(bearing * degrees)]);
+  assert.deepEqual([344, 346, 0, 10, 12].map(seen), [LIGHT_WHITE, LIGHT_RED, LIGHT_RED, LIGHT_RED, LIGHT_WHITE]);
+  assert.deepEqual([94, 96, 249, 251].map(seen), [LIGHT_WHITE, LIGHT_NONE, LIGHT_NONE, LIGHT_WHITE]);
+  assert.equal(character(light), "Fl(2) WR 10s 52m");
 });
 
 test("a buoy's character has a colour unless it is white, and no height", () => {
