@@ -1,5 +1,6 @@
 // The picture from the forecastle, with its cameras and what ear and nose say over it.
 
+import { Cry } from "../kit/cry";
 import { showsTopic } from "../kit/live";
 import { everyFrame, type Page } from "../kit/page";
 import { h, setAttribute } from "../kit/dom";
@@ -34,8 +35,10 @@ export class SceneView {
   private camera: CameraName = "stand";
   private side = 0;
   private lampOn = false;
+  private readonly cry: Cry;
 
   constructor(private readonly page: Page) {
+    this.cry = new Cry(page.link);
     this.buttons = kCameras.map(([name, text], i) =>
       h(
         "button",
@@ -154,6 +157,6 @@ export class SceneView {
   private draw(now: number): void {
     if (!this.scene || this.page.link.state !== "open") return;
     const frame = frameOfSeat(this.page.link, now);
-    if (frame) this.scene.draw(frame);
+    if (frame) this.scene.draw(this.cry.time === undefined ? frame : { ...frame, cried: this.cry.time });
   }
 }

@@ -1,5 +1,7 @@
 // What is drawn at one instant, interpolated already. Units and frames as in windlass.idl.
 
+import type { DeckWork } from "../wire/generated";
+
 export interface MarkFrame {
   /** Lengths of 27.5 m between the joining shackle and the anchor. */
   shackle: number;
@@ -61,6 +63,11 @@ export interface TackleFrame {
   jumping: boolean;
   /** Of full speed, heaving positive. */
   motor_speed: number;
+  /** rad clockwise from ahead, to where the cable leads, as far as it is seen to. */
+  lead?: number;
+  /** What men are set to at it, and whether they go on; else they wait, or it is done. */
+  work?: DeckWork;
+  work_goes?: boolean;
 }
 
 export interface SceneFrame {
@@ -78,6 +85,8 @@ export interface SceneFrame {
   visibility: number;
   /** s since local midnight. */
   time_of_day: number;
+  /** s, exercise time: when "stand clear" was last ordered or reported. */
+  cried?: number;
   /** What she shows to those around her. */
   shows?: { anchor_ball: boolean; anchor_lights: boolean } | undefined;
   /** m/s; rad clockwise from north. */

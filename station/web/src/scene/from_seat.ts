@@ -5,6 +5,7 @@ import type { ForecastleView } from "../wire/generated";
 import type { AnchorFrame, SceneFrame, TackleFrame } from "./frame";
 import { atTime, between, mix, mixAngle, mixNodes, mixTurn, mixTurning } from "./follow";
 import type { Samples } from "./from_truth";
+import { workSeen } from "./men";
 import { pitchRadius } from "./rig";
 import { wrap } from "./vec";
 import { shipAxes, turned, vec } from "./vec";
@@ -144,6 +145,8 @@ export function tackleSeen(
     brake_noise: to.brake_noise,
     jumping: to.gypsy_jumping,
     motor_speed: to.motor_speed_heard,
+    ...(to.leads ? { lead: (to.lead_clock * Math.PI) / 6 } : {}),
+    ...workSeen(to),
   };
 }
 

@@ -30,6 +30,7 @@ import { LandmarksScene } from "./landmarks";
 import { LampHalos } from "./lamp_halos";
 import { TensionScale, kLegendHeight, kLegendWidth } from "./tension_scale";
 import { Materials } from "./materials";
+import { MenFigures } from "./men_figures";
 import { noiseTexture, rippleTexture } from "./noise";
 import { Pace } from "./pace";
 import { FrameClock, type Quality, type QualityName, QualityWatch, kQuality, qualityOf } from "./quality";
@@ -48,6 +49,7 @@ export type { Quality } from "./quality";
 const kOriginMoves = 400; // m, from which the origin is laid anew
 const kForecastle = 25; // m, its length
 const kSeenThrough = -2.6; // m, to which steel is made out in the water from above
+const kMatesOwn = new Set<CameraName>(["stand", "bow", "brake", "aft"]); // where who looks is the mate himself
 const kStillSteps = 45; // of 0.08 s, that smoke has risen in a still picture
 
 export interface Stats {
@@ -79,6 +81,7 @@ export class ShipScene {
   private readonly figures: Mesh<BufferGeometry, MeshBasicMaterial>;
   private readonly untold: readonly number[]; // sides that the exercise does not speak of
   private readonly deck: Deck;
+  private readonly men: MenFigures;
   private readonly sky: Sky;
   private readonly skyUniforms = skyUniforms();
   private readonly sea: Sea;
@@ -158,6 +161,12 @@ export class ShipScene {
       foc,
       deck,
     );
+    this.men = new MenFigures(
+      this.tackle.map((t) => t.rig),
+      railBreadth(description, deck),
+      deck,
+      this.materials,
+    );
     const hull = hullMesh(description, this.materials, noise, foc, deck);
     hull.receiveShadow = true;
     this.flag.mesh.position.set(...this.deck.flag);
@@ -173,7 +182,15 @@ export class ShipScene {
     this.textures.push(marks.texture);
     this.halos = new LampHalos(this.deck.halos);
     this.signals = new AnchorSignals(description, this.deck.mast, this.materials);
-    this.ship.add(hull, this.deck.group, this.flag.mesh, this.figures, this.halos.mesh, this.signals.group);
+    this.ship.add(
+      hull,
+      this.deck.group,
+      this.men.group,
+      this.flag.mesh,
+      this.figures,
+      this.halos.mesh,
+      this.signals.group,
+    );
     this.world.add(
       this.ship,
       this.seabed.mesh,
@@ -258,6 +275,7 @@ export class ShipScene {
     this.world.updateMatrixWorld(true);
     for (const t of this.tackle) t.place(frame.tackle[t.side], frame.ship, origin, this.still ? 1 : seconds, this.ship);
     this.aim(frame, origin);
+    this.men.show(frame, this.side, !kMatesOwn.has(this.cameras.name), this.still, this.ears().at);
     this.light.handLamp.hold(this.eye);
     const under = this.isUnder(frame, origin);
     this.surround(frame, origin, under);
@@ -361,6 +379,7 @@ export class ShipScene {
     this.halos.dispose();
     this.signals.dispose();
     this.effects.dispose();
+    this.men.dispose();
     this.landmarks.dispose();
     this.ship.traverse((o) => (o as { geometry?: { dispose(): void } }).geometry?.dispose());
     this.tensions.dispose();
@@ -386,6 +405,7 @@ export class ShipScene {
     this.renderer.shadowMap.enabled = on;
     this.light.shadows = on;
     for (const t of this.tackle) t.shadows = on;
+    this.men.shadows = on;
     for (const mesh of this.deck.group.children) {
       mesh.castShadow = on;
       mesh.receiveShadow = on;
