@@ -41,7 +41,7 @@ const kRunsAway = 5.5; // m/s
 export class Effects {
   readonly cover = new Particles(false);
   readonly shine = new Particles(true);
-  private next = random(11);
+  next = random(11);
   private owed = 0;
   private readonly mud: Puff = { life: 7, size: 0.5, grows: 0.45, lift: 0.02, drag: 1.2, r: 0, g: 0, b: 0, alpha: 0.4 };
   private readonly before = new Map<number, { x: number; y: number; z: number; time: number }>();

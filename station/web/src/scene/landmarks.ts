@@ -45,7 +45,7 @@ export class LandmarksScene {
   private drawn: Drawn | undefined;
 
   constructor(materials: Materials) {
-    this.paint = materials.make({ vertexColors: true, roughness: 1, metalness: 0 });
+    this.paint = materials.make({ vertexColors: true, roughness: 1, metalness: 0, dry: true });
   }
 
   /** undefined: open sea. */

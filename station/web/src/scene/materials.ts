@@ -41,6 +41,8 @@ export interface Look {
   roughness?: number;
   metalness?: number;
   side?: Side;
+  /** No spray comes to it. */
+  dry?: boolean;
 }
 
 /**
@@ -70,7 +72,18 @@ export interface Light {
   hand: Color;
   fog: Color;
   fogDensity: number;
+  /** 0 dry .. 1: steel is dark with spray, and mirrors the haze where one looks along it. */
+  wet: number;
 }
+
+/** GLSL: how much of the haze wet steel mirrors. up: of its normal; facing: cosine to the eye. */
+const kMirrors = `
+float mirrors(float wet, float up, float facing) {
+  float low = 1.0 - clamp(facing, 0.0, 1.0), low2 = low * low;
+  return wet * (0.35 + 0.65 * max(up, 0.0)) * (0.05 + 0.45 * low2 * low2 * low);
+}
+`;
+const kWetDark = "(1.0 - 0.4 * wet)";
 
 /**
  * From linear light to the screen: Khronos' neutral tone mapping without its shoulder, and the sRGB curve by square
@@ -97,10 +110,12 @@ uniform vec3 handAt;
 uniform vec3 handTowards;
 uniform vec3 hand;
 uniform float fogDensity;
+uniform float wet;
 varying vec3 vColour;
 varying vec3 vLight;
 varying vec3 vPlace;
 varying float vFog;
+${kMirrors}
 void main() {
   vec4 place = vec4(position, 1.0);
   vec3 n = normal;
@@ -128,7 +143,9 @@ void main() {
   float cone = smoothstep(0.955, 0.99, dot(beam, handTowards) / reach);
   vLight += hand * cone * max(dot(n, -beam), 0.0) / reach * exp2(-1.2 * log2(max(reach, 2.0))); // kFade of hand_lamp.ts
   vec4 seen = viewMatrix * world;
-  vFog = 1.0 - exp(-fogDensity * fogDensity * seen.z * seen.z);
+  vLight *= ${kWetDark};
+  float mirrored = mirrors(wet, n.z, dot(n, normalize(cameraPosition - world.xyz)));
+  vFog = 1.0 - (1.0 - mirrored) * exp(-fogDensity * fogDensity * seen.z * seen.z);
   gl_Position = projectionMatrix * seen;
 }
 `;
@@ -170,13 +187,16 @@ export class Materials {
     hand: { value: new Vector3() },
     fog: { value: new Vector3() },
     fogDensity: { value: 0 },
+    wet: { value: 0 },
   };
 
   /** physical: for a graphics card. */
   constructor(readonly physical: boolean) {}
 
   make(look: Look, pattern?: Pattern): Painted {
-    const made = this.physical ? standard(look, pattern) : this.cornerLit(look, pattern);
+    const { dry, ...how } = look;
+    const light = dry ? { ...this.light, wet: { value: 0 } } : this.light;
+    const made = this.physical ? standard(how, pattern, light) : cornerLit(how, pattern, light);
     this.made.push(made);
     return made;
   }
@@ -191,20 +211,7 @@ export class Materials {
     (u.handAt.value as Vector3).copy(light.handAt);
     (u.handTowards.value as Vector3).copy(light.handTowards);
     u.fogDensity.value = light.fogDensity;
-  }
-
-  private cornerLit(look: Look, pattern: Pattern | undefined): Painted {
-    const tint = new Color(1, 1, 1);
-    return new CornerLit(
-      {
-        uniforms: { ...this.light, ...pattern?.uniforms, tint: { value: tint } },
-        vertexShader: kVertex,
-        fragmentShader: kFragment(pattern),
-        vertexColors: look.vertexColors ?? false,
-        side: look.side ?? FrontSide,
-      },
-      tint,
-    );
+    u.wet.value = light.wet;
   }
 
   dispose(): void {
@@ -212,22 +219,53 @@ export class Materials {
   }
 }
 
-function standard(look: Look, pattern: Pattern | undefined): MeshStandardMaterial {
+type Lights = Record<keyof Light, { value: unknown }>;
+
+function cornerLit(look: Look, pattern: Pattern | undefined, light: Lights): Painted {
+  const tint = new Color(1, 1, 1);
+  return new CornerLit(
+    {
+      uniforms: { ...light, ...pattern?.uniforms, tint: { value: tint } },
+      vertexShader: kVertex,
+      fragmentShader: kFragment(pattern),
+      vertexColors: look.vertexColors ?? false,
+      side: look.side ?? FrontSide,
+    },
+    tint,
+  );
+}
+
+function standard(look: Look, pattern: Pattern | undefined, { wet, fog }: Lights): MeshStandardMaterial {
   const made = new MeshStandardMaterial({ roughness: 0.7, metalness: 0.1, ...look });
-  if (!pattern) return made;
   made.onBeforeCompile = (shader) => {
-    Object.assign(shader.uniforms, pattern.uniforms);
+    Object.assign(shader.uniforms, pattern?.uniforms, { wet, mirrored: fog });
     shader.vertexShader = shader.vertexShader
       .replace("#include <common>", "#include <common>\nvarying vec3 vPlace;")
       .replace("#include <begin_vertex>", "#include <begin_vertex>\nvPlace = position;");
+    const painted = pattern ? "diffuseColor.rgb = paint(diffuseColor.rgb, vPlace);" : "";
     shader.fragmentShader = shader.fragmentShader
-      .replace("#include <common>", `#include <common>\nvarying vec3 vPlace;\n${pattern.glsl}`)
       .replace(
-        "#include <color_fragment>",
-        "#include <color_fragment>\ndiffuseColor.rgb = paint(diffuseColor.rgb, vPlace);",
+        "#include <common>",
+        `#include <common>
+varying vec3 vPlace;
+uniform float wet;
+uniform vec3 mirrored;
+${kMirrors}
+${pattern?.glsl ?? ""}`,
+      )
+      .replace("#include <color_fragment>", `#include <color_fragment>\n${painted}\ndiffuseColor.rgb *= ${kWetDark};`)
+      .replace(
+        "#include <roughnessmap_fragment>",
+        "#include <roughnessmap_fragment>\nroughnessFactor *= 1.0 - 0.55 * wet;",
+      )
+      .replace(
+        "#include <emissivemap_fragment>",
+        `#include <emissivemap_fragment>
+float upwards = dot(normal, (viewMatrix * vec4(0.0, 0.0, 1.0, 0.0)).xyz);
+totalEmissiveRadiance += mirrored * mirrors(wet, upwards, dot(normal, normalize(vViewPosition)));`,
       );
   };
-  made.customProgramCacheKey = () => pattern.name;
+  made.customProgramCacheKey = () => pattern?.name ?? "plain";
   return made;
 }
 

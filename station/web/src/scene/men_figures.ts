@@ -49,7 +49,7 @@ export class MenFigures {
     materials: Materials,
   ) {
     this.stations = new Stations(rigs, rail);
-    const paint = materials.make({ vertexColors: true, roughness: 0.9, metalness: 0 });
+    const paint = materials.make({ vertexColors: true, roughness: 0.9, metalness: 0, dry: true });
     const most = kMen + 1;
     const many = (geometry: BufferGeometry, count: number): InstancedMesh => {
       const mesh = new InstancedMesh(geometry, paint, count);

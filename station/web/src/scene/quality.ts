@@ -9,14 +9,24 @@ export interface Quality {
   sea: "flat" | "plain" | "full";
   shadows: boolean;
   particles: boolean;
+  /** Clouds of spray a second, at most, that come over the bow. */
+  spray: number;
 }
 
 export type QualityName = "software" | "low" | "high";
 
 export const kQuality: Record<QualityName, Quality> = {
-  software: { antialias: false, pixelRatioMax: 1, linksFull: 40, sea: "plain", shadows: false, particles: true },
-  low: { antialias: false, pixelRatioMax: 1, linksFull: 80, sea: "plain", shadows: false, particles: true },
-  high: { antialias: true, pixelRatioMax: 2, linksFull: 160, sea: "full", shadows: true, particles: true },
+  software: {
+    antialias: false,
+    pixelRatioMax: 1,
+    linksFull: 40,
+    sea: "plain",
+    shadows: false,
+    particles: true,
+    spray: 12,
+  },
+  low: { antialias: false, pixelRatioMax: 1, linksFull: 80, sea: "plain", shadows: false, particles: true, spray: 30 },
+  high: { antialias: true, pixelRatioMax: 2, linksFull: 160, sea: "full", shadows: true, particles: true, spray: 120 },
 };
 
 /** By the name that the graphics driver gives itself. */

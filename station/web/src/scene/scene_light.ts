@@ -20,6 +20,8 @@ export class SceneLight {
   private readonly sun = new DirectionalLight();
   private readonly ambient = new HemisphereLight();
   private readonly lamps: PointLight[];
+  /** What lamps add to the haze. */
+  readonly hazeLit = new Color();
   private readonly glow = new Color();
   private readonly scratch = new Vector3();
   private readonly corners: Light = {
@@ -34,6 +36,7 @@ export class SceneLight {
     hand: this.handLamp.colour,
     fog: new Color(),
     fogDensity: 0,
+    wet: 0,
   };
 
   /** floodlights: m, body frame, on the ship. */
@@ -79,9 +82,12 @@ export class SceneLight {
     return this.lamps[0]?.visible ? 1.4 * this.dark : 0;
   }
 
-  /** At s since local midnight and m of visibility; focus: where shadows are wanted, m from the scene's origin. */
-  shine(timeOfDay: number, visibility: number, focus: Vector3): void {
-    const light = daylight(timeOfDay, visibility, this.day);
+  /**
+   * At s since local midnight and m of visibility; overcast: 0..1, of the sky; focus: where shadows are wanted, m from
+   * the scene's origin.
+   */
+  shine(timeOfDay: number, visibility: number, overcast: number, focus: Vector3): void {
+    const light = daylight(timeOfDay, visibility, overcast, this.day);
     this.sun.color.copy(light.sun);
     this.sun.intensity = light.sunStrength;
     this.sun.target.position.copy(focus);
@@ -101,17 +107,24 @@ export class SceneLight {
     }
   }
 
-  /** The haze over the water, which lamps light up; after shine(). */
-  inAir(visibility: number): void {
-    this.haze.copy(this.day.horizon);
-    const glow = this.dark * Math.min(1, 300 / Math.max(50, visibility));
-    this.haze.add(this.glow.setRGB(0.075, 0.066, 0.05).multiplyScalar(glow));
+  /**
+   * The haze over the water, which lamps light up; after shine(). ahead: where one looks, whose haze is over all but
+   * sky and sea; wet: 0..1, of steel.
+   */
+  inAir(visibility: number, ahead: Vector3, wet: number): void {
+    this.corners.wet = wet;
+    const { glow, away, sunwards } = this.day;
+    const side = 0.5 + (0.5 * (ahead.x * sunwards.x + ahead.y * sunwards.y)) / (Math.hypot(ahead.x, ahead.y) || 1);
+    this.haze.lerpColors(away, glow, side * side);
+    const lamps = this.dark * Math.min(1, 300 / Math.max(50, visibility));
+    this.haze.add(this.hazeLit.setRGB(0.075, 0.066, 0.05).multiplyScalar(lamps));
     this.fog.density = Math.sqrt(3) / Math.max(50, visibility);
     this.spread(this.day.deep);
   }
 
   /** What comes down to an eye so many m under water; after shine(). */
   underWater(deep: number): void {
+    this.corners.wet = 0;
     const day = 0.06 + 0.94 * (1 - this.dark);
     this.haze.setRGB(kUnderWater.red, kUnderWater.green, kUnderWater.blue).multiplyScalar(day);
     this.haze.multiplyScalar(Math.exp(-deep / 28));

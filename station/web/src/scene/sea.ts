@@ -187,7 +187,6 @@ uniform float dark;
 uniform float light;
 uniform float cover;
 uniform vec3 lamp;
-uniform vec3 fogTint;
 uniform vec3 deepWater;
 uniform float lampStrength;
 uniform vec2 shipMiddle;
@@ -246,13 +245,15 @@ void main() {
   // foam where it blows
   float caps = smoothstep(6.0, 20.0, windSpeed);
   if (caps > 0.0) {
-    // crests that topple, and from force 7 streaks along the wind; from afar, what they come to
-    float patches = texture2D(noise, q * vec2(0.021, 0.013) - vec2(time * 0.004, 0.0)).r;
-    float f = 0.6 * patches + 0.4 * texture2D(noise, p * 0.11).b;
-    float foam = smoothstep(0.66 - 0.15 * caps, 0.78 - 0.1 * caps, f + 0.07 * vCrest);
-    float wide = texture2D(noise, q * vec2(0.008, 0.06)).r;
-    float streak = 0.6 * wide + 0.4 * texture2D(noise, q * vec2(0.06, 0.23)).b;
-    foam = max(foam, 0.45 * smoothstep(0.5, 0.75, streak) * smoothstep(13.0, 21.0, windSpeed));
+    // crests that topple, and from force 7 threads of foam along the wind; from afar, what they come to
+    float gusts = texture2D(noise, q * vec2(0.011, 0.019) - vec2(time * 0.004, 0.0)).r;
+    float fine = texture2D(noise, (q + 1.4 * r1) * vec2(0.06, 0.36)).b;
+    float lace = 0.5 * texture2D(noise, p * 0.29 + 0.1 * r2).b + 0.5 * fine;
+    float foam = smoothstep(1.1 - 0.5 * caps, 1.5 - 0.4 * caps, vCrest + 1.2 * (gusts - 0.5) + 1.2 * r1.x) *
+      smoothstep(0.4, 0.6, lace);
+    float thread = 0.65 * texture2D(noise, (q + 1.2 * r1) * vec2(0.0065, 0.11)).r + 0.35 * gusts;
+    float threads = smoothstep(0.49, 0.6, thread) * smoothstep(0.28, 0.64, fine);
+    foam = max(foam, 0.75 * threads * smoothstep(12.0, 20.0, windSpeed));
     foam = mix(foam, 0.16 * caps, clamp(distance * 0.0012 - 0.2, 0.0, 0.9));
     c = mix(c, vec3(0.8) * (0.12 + light), 0.75 * foam * caps);
   }
@@ -271,7 +272,7 @@ void main() {
   }
   float thick = fogDensity * distance;
   float fog = 1.0 - exp2(-1.4427 * thick * thick);
-  c = mix(c, fogTint, fog);
+  c = mix(c, hazeColour(-v), fog);
   gl_FragColor = vec4(toScreen(c), mix(cover, 1.0, clamp(distance * 0.002 - 0.2, 0.0, 1.0)) * mix(alpha, 1.0, fog));
 }
 `;

@@ -4,6 +4,7 @@
 import {
   type BufferGeometry,
   Group,
+  MathUtils,
   Matrix4,
   Mesh,
   MeshBasicMaterial,
@@ -26,6 +27,7 @@ import { Effects } from "./effects";
 import { Flag } from "./flag";
 import type { SceneFrame } from "./frame";
 import { hullMesh } from "./hull";
+import { kBulwark } from "./hull_outline";
 import { LandmarksScene } from "./landmarks";
 import { LampHalos } from "./lamp_halos";
 import { TensionScale, kLegendHeight, kLegendWidth } from "./tension_scale";
@@ -38,6 +40,7 @@ import { type Rig, deckHeight } from "./rig";
 import { SceneLight } from "./scene_light";
 import { Sea } from "./sea";
 import { Seabed } from "./seabed";
+import { Spray, sprayed } from "./spray";
 import { Sky, setSky, skyUniforms } from "./sky";
 import { TackleScene } from "./tackle_scene";
 import { type V3, shipAxes } from "./vec";
@@ -50,6 +53,7 @@ const kOriginMoves = 400; // m, from which the origin is laid anew
 const kForecastle = 25; // m, its length
 const kSeenThrough = -2.6; // m, to which steel is made out in the water from above
 const kMatesOwn = new Set<CameraName>(["stand", "bow", "brake", "aft"]); // where who looks is the mate himself
+const kClouds = [10, 21] as const; // m/s of wind, from which the sky closes, and at which it is closed
 const kStillSteps = 45; // of 0.08 s, that smoke has risen in a still picture
 
 export interface Stats {
@@ -89,6 +93,7 @@ export class ShipScene {
   private readonly landmarks: LandmarksScene;
   private readonly flag = new Flag();
   private readonly effects = new Effects();
+  private readonly spray: Spray;
   private readonly light: SceneLight;
   private readonly hud = new Scene();
   private readonly hudEye = new OrthographicCamera();
@@ -161,9 +166,11 @@ export class ShipScene {
       foc,
       deck,
     );
+    const rail = railBreadth(description, deck);
+    this.spray = new Spray([this.bow[0], 0, deck + kBulwark], rail);
     this.men = new MenFigures(
       this.tackle.map((t) => t.rig),
-      railBreadth(description, deck),
+      rail,
       deck,
       this.materials,
     );
@@ -476,17 +483,22 @@ export class ShipScene {
   /** Light, sky, sea, ground, haze. */
   private surround(frame: SceneFrame, origin: readonly number[], under: boolean): void {
     const { light } = this;
+    const overcast = MathUtils.smoothstep(frame.wind_speed, ...kClouds);
     light.shine(
       frame.time_of_day,
       frame.visibility,
+      overcast,
       this.scratch.set(this.bow[0] - 12, 0, this.bow[2]).applyMatrix4(this.ship.matrix),
     );
     if (under) light.underWater(Math.max(0, -(this.eye.position.z + origin[2]!)));
-    else light.inAir(frame.visibility);
+    else {
+      const ahead = this.eye.getWorldDirection(this.scratch);
+      light.inAir(frame.visibility, ahead, sprayed(frame, this.seaState));
+    }
     this.figures.material.color.setScalar(0.1 + 0.5 * (1 - light.dark));
-    setSky(this.skyUniforms, light.day, light.fog.density, light.haze, light.day.deep);
+    setSky(this.skyUniforms, light.day, light.fog.density, light.hazeLit, under ? light.haze : undefined);
     this.sky.mesh.visible = !under;
-    this.sky.show(this.drift);
+    this.sky.show(this.drift, overcast);
     this.seabed.show(this.subject.x + origin[0]!, this.subject.y + origin[1]!, origin, under, this.drift);
     const { ship } = frame;
     this.sea.setShip(ship.x - origin[0]!, ship.y - origin[1]!, ship.heading, this.half);
@@ -513,7 +525,10 @@ export class ShipScene {
     if (!this.quality.particles) return;
     const steps = this.still ? kStillSteps : 1;
     const dt = this.still ? 0.08 : seconds;
-    if (this.still) this.effects.restart();
+    if (this.still) {
+      this.effects.restart();
+      this.spray.restart();
+    }
     const windX = -Math.sin(frame.wind_from) * frame.wind_speed * 0.55;
     const windY = -Math.cos(frame.wind_from) * frame.wind_speed * 0.55;
     const light = 0.12 + 0.9 * (1 - this.light.dark);
@@ -533,6 +548,18 @@ export class ShipScene {
           (x, y) => this.seabed.soilColour(x, y),
         );
       }
+      if (!under)
+        this.spray.stir(
+          this.effects.cover,
+          frame,
+          frame.time - (steps - 1 - i) * dt,
+          dt,
+          this.seaState,
+          origin,
+          (p) => p.applyMatrix4(this.ship.matrix),
+          this.quality.spray,
+          this.effects.next,
+        );
       this.effects.cover.step(dt, windX, windY, light, this.light.fog.density);
       this.effects.shine.step(dt, windX, windY, 1, this.light.fog.density);
     }

@@ -1,19 +1,29 @@
 // The sky as a dome behind everything: gradient, sun or moon, clouds, stars.
 
-import { BackSide, type Color, Mesh, ShaderMaterial, SphereGeometry, Vector3, type Texture } from "three";
+import { BackSide, Color, Mesh, ShaderMaterial, SphereGeometry, type Texture, Vector2, Vector3 } from "three";
 import type { Daylight } from "./daylight";
 import { kToScreen } from "./materials";
 
 /** GLSL that gives the sky's colour in a direction; shared with the sea that mirrors it. */
 export const kSkyColour = `
 uniform vec3 zenith;
-uniform vec3 horizon;
+uniform vec3 glow;
+uniform vec3 away;
+uniform vec2 sunwards;
+uniform vec3 fogGlow;
 uniform vec3 sunColour;
 uniform vec3 sunTowards;
 uniform float sunStrength;
+vec3 horizonColour(vec3 dir) {
+  float side = 0.5 + 0.5 * dot(dir.xy, sunwards);
+  return mix(away, glow, side * side);
+}
+vec3 hazeColour(vec3 dir) { return horizonColour(dir) + fogGlow; }
 vec3 skyColour(vec3 dir) {
   float low = 1.0 - max(dir.z, 0.0);
-  return mix(zenith, horizon, low * low * low);
+  low *= low * low;
+  float side = 0.5 + 0.5 * dot(dir.xy, sunwards);
+  return mix(mix(zenith, away, low), glow, low * low * side * side); // the glow lies lower than the haze
 }
 `;
 
@@ -25,29 +35,36 @@ export interface SkyUniforms {
 export function skyUniforms(): SkyUniforms {
   return {
     zenith: { value: new Vector3() },
-    horizon: { value: new Vector3() },
+    glow: { value: new Vector3() },
+    away: { value: new Vector3() },
+    sunwards: { value: new Vector2(0, 1) },
     sunColour: { value: new Vector3() },
     sunTowards: { value: new Vector3(0, 0, 1) },
     sunStrength: { value: 1 },
     fogDensity: { value: 0 },
-    fogTint: { value: new Vector3() },
+    fogGlow: { value: new Vector3() },
     deepWater: { value: new Vector3() },
     dark: { value: 0 },
   };
 }
 
-/** fogDensity: as of FogExp2; fog: its colour, of haze or water; deep: of the water straight down. */
-export function setSky(uniforms: SkyUniforms, light: Daylight, fogDensity: number, fog: Color, deep: Color): void {
-  (uniforms.fogTint!.value as Vector3).set(fog.r, fog.g, fog.b);
-  (uniforms.deepWater!.value as Vector3).set(deep.r, deep.g, deep.b);
-  (uniforms.zenith!.value as Vector3).set(light.zenith.r, light.zenith.g, light.zenith.b);
-  (uniforms.horizon!.value as Vector3).set(light.horizon.r, light.horizon.g, light.horizon.b);
+/** fogDensity: as of FogExp2; lit: what lamps add to the haze; water: that all is seen through, else air. */
+export function setSky(uniforms: SkyUniforms, light: Daylight, fogDensity: number, lit: Color, water?: Color): void {
+  const set = (name: string, c: Color): Vector3 => (uniforms[name]!.value as Vector3).set(c.r, c.g, c.b);
+  set("zenith", light.zenith);
+  set("glow", water ?? light.glow);
+  set("away", water ?? light.away);
+  set("fogGlow", water ? kNone : lit);
+  set("deepWater", light.deep);
+  (uniforms.sunwards!.value as Vector2).copy(light.sunwards);
   (uniforms.sunColour!.value as Vector3).set(light.sun.r, light.sun.g, light.sun.b);
   (uniforms.sunTowards!.value as Vector3).copy(light.towards);
   uniforms.sunStrength!.value = light.sunStrength;
   uniforms.fogDensity!.value = fogDensity;
   uniforms.dark!.value = light.dark;
 }
+
+const kNone = new Color(0, 0, 0);
 
 export class Sky {
   readonly mesh: Mesh<SphereGeometry, ShaderMaterial>;
@@ -57,7 +74,7 @@ export class Sky {
       // its pole up; to a little below the horizon
       new SphereGeometry(10, 32, 12, 0, 2 * Math.PI, 0, 0.506 * Math.PI).rotateX(Math.PI / 2),
       new ShaderMaterial({
-        uniforms: { ...uniforms, noise: { value: noise }, clouds: { value: 0 } },
+        uniforms: { ...uniforms, noise: { value: noise }, clouds: { value: 0 }, overcast: { value: 0 } },
         vertexShader: `
 varying vec3 vDir;
 void main() {
@@ -71,7 +88,7 @@ uniform sampler2D noise;
 uniform float dark;
 uniform float fogDensity;
 uniform float clouds;
-uniform vec3 fogTint;
+uniform float overcast;
 ${kSkyColour}
 ${kToScreen}
 void main() {
@@ -87,9 +104,10 @@ void main() {
     vec2 p = dir.xy / (dir.z + 0.12);
     vec4 heap = texture2D(noise, p * 0.13 + clouds);
     float n = heap.r * 0.66 + heap.b * 0.34;
-    float cover = smoothstep(0.5, 0.72, n) * smoothstep(0.01, 0.16, dir.z) * clear;
-    vec3 lit = horizon * 0.75 + sunColour * sunStrength * (0.1 + 0.06 * max(near, 0.0));
-    c = mix(c, lit, 0.62 * cover);
+    float cover = smoothstep(0.5 - 0.4 * overcast, 0.72 - 0.3 * overcast, n) * smoothstep(0.01, 0.16, dir.z) * clear;
+    float through = 0.75 - overcast * (0.6 * n - 0.1); // of the light, by how thick they are
+    vec3 lit = horizonColour(dir) * through + sunColour * sunStrength * (0.1 + 0.06 * max(near, 0.0));
+    c = mix(c, lit, mix(0.62, 0.95, overcast) * cover);
     if (dark > 0.2) {
       float star = texture2D(noise, dir.xy * 5.0 / (1.0 + dir.z)).g;
       c += vec3(0.8, 0.85, 1.0) * dark * dark * clear * (1.0 - cover) * smoothstep(0.965, 1.0, star) * 0.7;
@@ -98,7 +116,7 @@ void main() {
   // haze lies low
   if (fogDensity > 2e-4) {
     float through = fogDensity * 60.0 / (max(dir.z, 0.0) + 0.03);
-    c = mix(fogTint, c, exp2(-1.4427 * through * through));
+    c = mix(hazeColour(dir), c, exp2(-1.4427 * through * through));
   }
   gl_FragColor = vec4(toScreen(c), 1.0);
 }`,
@@ -110,8 +128,9 @@ void main() {
     this.mesh.frustumCulled = false;
   }
 
-  /** time: s, that drive the clouds. */
-  show(time: number): void {
+  /** time: s, that drive the clouds; overcast: 0..1, of the sky. */
+  show(time: number, overcast: number): void {
+    this.mesh.material.uniforms.overcast!.value = overcast;
     this.mesh.material.uniforms.clouds!.value = (time * 0.0006) % 1;
   }
 

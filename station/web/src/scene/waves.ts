@@ -22,6 +22,12 @@ export function surface(sea: SeaState | undefined, x: number, y: number, t: numb
   return eta;
 }
 
+/** m, significant height: four times the standard deviation. */
+export function significantHeight(sea: SeaState | undefined, t: number): number {
+  const energy = sea?.components.reduce((sum, _, i) => sum + amplitude(sea, i, t) ** 2, 0) ?? 0;
+  return 4 * Math.sqrt(energy / 2);
+}
+
 /**
  * Components for a shader, four numbers each: k_x, k_y, phase at the origin (reduced, so that single precision holds
  * it), amplitude. The largest first; returns how many.
