@@ -14,7 +14,7 @@ import {
   Sphere,
 } from "three";
 import type { TackleFrame } from "./frame";
-import { farLink, seizing, studLink } from "./link_shapes";
+import { farLink, linkStreaks, seizing, studLink } from "./link_shapes";
 import { LinkKind, type Links } from "./links";
 import { kPaint, type Materials } from "./materials";
 import { kPitch } from "./rig";
@@ -23,12 +23,16 @@ import type { TensionScale } from "./tension_scale";
 /** px of a link's length on the screen, from which it is drawn at that level. */
 const kLevels = [70, 20, 5, 0];
 const kMost = [200, 400, 1400, 2400]; // links of a level
+const kStreaks = 400; // links, at most, that are drawn as streaks
+const kBlurs = 3; // m/s of the cable, from which streaks lie between its links
+const kBlurred = 5.5; // m/s, from which nothing else is seen of plain links
 const kShort = 6; // of a link's length, in diameters
 
 export class ChainMesh {
   readonly group = new Group();
   private readonly levels: InstancedMesh[];
   private readonly wire: InstancedMesh;
+  private readonly streaks: InstancedMesh;
   private readonly material: Material;
   private readonly frustum = new Frustum();
   private readonly matrix = new Matrix4();
@@ -44,7 +48,8 @@ export class ChainMesh {
     const shapes = [studLink(28, 8, 8), studLink(14, 5, 4), studLink(10, 3, 0), farLink()];
     this.levels = shapes.map((shape, level) => this.instanced(shape, kMost[level]!));
     this.wire = this.instanced(seizing(), 40);
-    this.group.add(...this.levels, this.wire);
+    this.streaks = this.instanced(linkStreaks(), kStreaks);
+    this.group.add(...this.levels, this.wire, this.streaks);
     // by LinkKind
     this.paints = [kPaint.chain, 0xf2f1ea, 0xc21f14, kPaint.yellow].map((c) => new Color(c));
   }
@@ -63,14 +68,15 @@ export class ChainMesh {
     this.linksFull = links;
   }
   set shadows(on: boolean) {
-    for (const mesh of this.levels.slice(0, 3)) {
+    for (const mesh of [...this.levels.slice(0, 3), this.streaks]) {
       mesh.castShadow = on;
       mesh.receiveShadow = on;
     }
   }
 
   /**
-   * Draws links as placed from the scene's origin. pixels: of one radian at the middle of the picture; seaLevel: m,
+   * Draws links as placed from the scene's origin; those that run fast over the water as streaks, but for painted ones,
+   * by which one counts. pixels: of one radian at the middle of the picture; seaLevel: m,
    * below which chain is wet; deepest: m, below which the water
    * hides it.
    */
@@ -90,6 +96,8 @@ export class ChainMesh {
     const eye = camera.matrixWorld.elements;
     const counts = [0, 0, 0, 0];
     let wires = 0;
+    let streaks = 0;
+    const speed = Math.abs(tackle.cable_speed);
     this.sphere.radius = 3 * d;
     const { middle, along, across, kind } = links;
     for (let i = 0; i < links.count; ++i) {
@@ -106,11 +114,17 @@ export class ChainMesh {
       while (size < kLevels[level]!) ++level;
       if (level === 0 && counts[0]! >= this.linksFull) level = 1;
       while (level < 3 && counts[level]! >= kMost[level]!) ++level;
+      const runs = speed > kBlurs && z > 0 && level < 3;
+      if (runs && kind[i] === LinkKind.plain && streaks < kStreaks) {
+        this.put(this.streaks, streaks, along, across, a, x, y, z, d);
+        this.streaks.instanceColor!.setXYZ(streaks++, kBlur.r, kBlur.g, kBlur.b);
+        if (speed > kBlurred) continue;
+      }
       const at = counts[level]!;
       if (at >= kMost[level]!) continue;
       counts[level] = at + 1;
       const joining = kind[i] === LinkKind.joining;
-      const k = joining ? 1.06 * d : d;
+      const k = joining || runs ? 1.06 * d : d; // painted ones stand out of the streaks
       this.put(this.levels[level]!, at, along, across, a, x, y, z, k);
       this.paint(links, tackle, i, loads, wetTo, deepest, z);
       this.levels[level]!.instanceColor!.setXYZ(at, this.colour.r, this.colour.g, this.colour.b);
@@ -121,6 +135,7 @@ export class ChainMesh {
     }
     this.levels.forEach((mesh, level) => this.upload(mesh, counts[level]!));
     this.upload(this.wire, wires);
+    this.upload(this.streaks, streaks);
   }
 
   private put(
@@ -202,13 +217,14 @@ export class ChainMesh {
   }
 
   dispose(): void {
-    for (const mesh of [...this.levels, this.wire]) {
+    for (const mesh of [...this.levels, this.wire, this.streaks]) {
       mesh.geometry.dispose();
       mesh.dispose();
     }
   }
 }
 
+const kBlur = new Color(kPaint.chain).multiplyScalar(0.9);
 const kWater = new Color(0.01, 0.06, 0.07);
 const fraction = (x: number): number => x - Math.floor(x);
 

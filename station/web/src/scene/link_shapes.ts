@@ -90,6 +90,33 @@ export function farLink(): BufferGeometry {
   return geometry(positions, normals, indices);
 }
 
+/** What the eye keeps of plain links that run by: streaks of their bars, flat and on edge, one pitch long. */
+export function linkStreaks(sides = 5): BufferGeometry {
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const indices: number[] = [];
+  const bars = [
+    [kRound, 0, 0.38],
+    [-kRound, 0, 0.38],
+    [0, kRound, 0.38],
+    [0, -kRound, 0.38],
+    [0, 0, 0.85], // studs and bows
+  ] as const;
+  for (const [y, z, wire] of bars) {
+    const from = positions.length / 3;
+    for (let k = 0; k < sides; ++k) {
+      const [c, s] = [Math.cos((2 * Math.PI * k) / sides), Math.sin((2 * Math.PI * k) / sides)];
+      for (const x of [-2.05, 2.05]) {
+        positions.push(x, y + wire * c, z + wire * s);
+        normals.push(0, c, s);
+      }
+      const [here, next] = [from + 2 * k, from + 2 * ((k + 1) % sides)];
+      indices.push(here, here + 1, next + 1, here, next + 1, next);
+    }
+  }
+  return geometry(positions, normals, indices);
+}
+
 /** Seizing wire, a few turns round the stud of a white link. */
 export function seizing(): BufferGeometry {
   const positions: number[] = [];
