@@ -1,6 +1,6 @@
 // The hull: the server's own mesh, painted by height, with a strake up to the rail.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, type Texture } from "three";
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, type Texture, type Vector4 } from "three";
 import type { SceneDescription } from "../wire/generated";
 import { kBulwark, portEdge, raised } from "./hull_outline";
 import { type Materials, type Pattern, kPaint } from "./materials";
@@ -9,31 +9,37 @@ import { type V3, along, sub } from "./vec";
 const kCrease = Math.cos((40 * Math.PI) / 180);
 const kBootTop = 1.0; // m over the waterline, up to which the bottom's colour goes
 
-/** Both in the body frame. foc: m, x of the forecastle's after end; deck: m, its height. */
+/**
+ * Both in the body frame. water: the colour, linear, of what she is seen through below the surface, and how much of it.
+ * foc: m, x of the forecastle's after end; deck: m, its height.
+ */
 export function hullMesh(
   scene: SceneDescription,
   materials: Materials,
   noise: Texture,
+  water: { value: Vector4 },
   foc: number,
   deck: number,
 ): Mesh {
-  const material = materials.make({ roughness: 0.55, metalness: 0, side: DoubleSide }, hullPaint(noise));
+  const material = materials.make({ roughness: 0.55, metalness: 0, side: DoubleSide }, hullPaint(noise, water));
   const mesh = new Mesh(withStrake(scene, foc, deck), material);
   mesh.name = "hull";
   return mesh;
 }
 
-const hullPaint = (noise: Texture): Pattern => ({
+const hullPaint = (noise: Texture, water: { value: Vector4 }): Pattern => ({
   name: "hull",
   uniforms: {
     hullWorn: { value: noise },
     hullBottom: { value: new Color(kPaint.antifouling) },
     hullSide: { value: new Color(kPaint.topsides) },
+    hullWater: water,
   },
   glsl: `
 uniform sampler2D hullWorn;
 uniform vec3 hullBottom;
 uniform vec3 hullSide;
+uniform vec4 hullWater;
 vec3 paint(vec3 colour, vec3 p) {
   float edge = clamp((p.z - ${kBootTop.toFixed(2)}) * 16.0 + 0.5, 0.0, 1.0);
   vec3 c = mix(hullBottom, hullSide, edge) * colour;
@@ -42,10 +48,14 @@ vec3 paint(vec3 colour, vec3 p) {
   c *= 0.7 + 0.6 * streak;
   c = mix(c, vec3(0.2, 0.095, 0.05), 0.5 * smoothstep(0.6, 0.8, streak) * clamp((p.z - 0.5) * 0.2, 0.0, 1.0));
   c = mix(c, vec3(0.07, 0.09, 0.05), 0.4 * clamp(1.0 - 2.0 * abs(p.z - 0.1), 0.0, 1.0));
-  // seen through water, it is soon lost
-  return mix(c, vec3(0.005, 0.05, 0.06), 1.0 - exp2(1.6 * min(p.z + 0.1, 0.0)));
+  return c;
+}
+// through water it is soon lost in what the water is
+vec3 seen(vec3 lit, vec3 p) {
+  return mix(lit, hullWater.rgb, hullWater.a * (1.0 - exp2(1.2 * min(p.z + 0.1, 0.0))));
 }
 `,
+  seen: true,
 });
 
 /** The server's triangles and the strake, normals smooth but for creases. */

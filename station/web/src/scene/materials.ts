@@ -47,11 +47,12 @@ export interface Look {
 
 /**
  * What is painted on it: GLSL with uniforms and a function `vec3 paint(vec3 colour, vec3 place)`, place being that of
- * the geometry, m.
+ * the geometry, m. seen: it has `vec3 seen(vec3 lit, vec3 place)` as well, of what lies between it and the eye.
  */
 export interface Pattern {
   name: string;
   glsl: string;
+  seen?: boolean;
   uniforms: Record<string, { value: unknown }>;
 }
 
@@ -160,6 +161,7 @@ ${kToScreen}
 ${pattern?.glsl ?? ""}
 void main() {
   vec3 c = ${pattern ? "paint(vColour, vPlace)" : "vColour"} * vLight;
+  ${pattern?.seen ? "c = seen(c, vPlace);" : ""}
   gl_FragColor = vec4(toScreen(mix(c, fog, vFog)), 1.0);
 }
 `;
@@ -257,6 +259,10 @@ ${pattern?.glsl ?? ""}`,
       .replace(
         "#include <roughnessmap_fragment>",
         "#include <roughnessmap_fragment>\nroughnessFactor *= 1.0 - 0.55 * wet;",
+      )
+      .replace(
+        "#include <opaque_fragment>",
+        `${pattern?.seen ? "outgoingLight = seen(outgoingLight, vPlace);" : ""}\n#include <opaque_fragment>`,
       )
       .replace(
         "#include <emissivemap_fragment>",

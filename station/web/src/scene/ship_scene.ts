@@ -15,6 +15,7 @@ import {
   Scene,
   type Texture,
   Vector3,
+  Vector4,
   WebGLRenderer,
 } from "three";
 import type { Landmarks, SceneDescription, SeaState, SeabedDescription } from "../wire/generated";
@@ -115,6 +116,7 @@ export class ShipScene {
   private readonly toBody = new Matrix4();
   private readonly up = new Vector3();
   private readonly axes = new Float64Array(9);
+  private readonly seenThrough = { value: new Vector4() }; // of hullMesh
   private readonly lampAt = new Vector3();
   private readonly subject = new Vector3();
 
@@ -174,7 +176,7 @@ export class ShipScene {
       deck,
       this.materials,
     );
-    const hull = hullMesh(description, this.materials, noise, foc, deck);
+    const hull = hullMesh(description, this.materials, noise, this.seenThrough, foc, deck);
     hull.receiveShadow = true;
     this.flag.mesh.position.set(...this.deck.flag);
     this.ship.matrixAutoUpdate = false;
@@ -495,6 +497,8 @@ export class ShipScene {
       const ahead = this.eye.getWorldDirection(this.scratch);
       light.inAir(frame.visibility, ahead, sprayed(frame, this.seaState));
     }
+    const { r, g, b } = under ? light.haze : light.day.deep;
+    this.seenThrough.value.set(r, g, b, under ? 0.5 : 1);
     this.figures.material.color.setScalar(0.1 + 0.5 * (1 - light.dark));
     setSky(this.skyUniforms, light.day, light.fog.density, light.hazeLit, under ? light.haze : undefined);
     this.sky.mesh.visible = !under;
