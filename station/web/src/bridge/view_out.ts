@@ -1,6 +1,5 @@
 // Out of the bridge's windows, and the camera on the forecastle.
 
-import { Cry } from "../kit/cry";
 import { h, setAttribute, setShown, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { type Page, everyFrame } from "../kit/page";
@@ -24,7 +23,6 @@ export class ViewOut {
   private readonly out = new LookingOut();
   private readonly camera = new CameraPicture(this.out);
   private readonly pelorus: Pelorus;
-  private readonly cry: Cry;
   private scene: ShipScene | undefined;
   private wanted: SceneDescription | undefined; // what is to be shown
   private drawn: bigint | undefined; // definition of what is shown, or being made
@@ -36,7 +34,6 @@ export class ViewOut {
     more: HTMLElement,
     lay: (bearing: number) => void,
   ) {
-    this.cry = new Cry(page.link);
     this.pelorus = new Pelorus(lay, (by) => this.scene?.turn(by));
     const button = (picture: Picture): HTMLButtonElement =>
       h("button", { class: "plain", type: "button", onclick: () => this.look(picture) }, kPictures[picture]);
@@ -114,6 +111,6 @@ export class ViewOut {
     setShown(this.canvas, !dead);
     setShown(this.message, dead);
     if (dead) setText(this.message, `\u26a0 ${t("No picture")}`);
-    if (frame) this.scene.draw(this.cry.time === undefined ? frame : { ...frame, cried: this.cry.time });
+    if (frame) this.scene.draw(frame);
   }
 }

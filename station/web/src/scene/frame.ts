@@ -65,9 +65,8 @@ export interface TackleFrame {
   motor_speed: number;
   /** rad clockwise from ahead, to where the cable leads, as far as it is seen to. */
   lead?: number;
-  /** What men are set to at it, and whether they go on; else they wait, or it is done. */
-  work?: DeckWork;
-  work_goes?: boolean;
+  /** What men are set to at it and have not done, and whether they go on; else they wait. undefined: it is not known. */
+  men?: { work: DeckWork; goes: boolean };
 }
 
 export interface SceneFrame {

@@ -5,7 +5,7 @@ import type { ForecastleView } from "../wire/generated";
 import type { AnchorFrame, SceneFrame, TackleFrame } from "./frame";
 import { atTime, between, mix, mixAngle, mixNodes, mixTurn, mixTurning } from "./follow";
 import type { Samples } from "./from_truth";
-import { workSeen } from "./men";
+import { menSeen } from "./men";
 import { pitchRadius } from "./rig";
 import { wrap } from "./vec";
 import { shipAxes, turned, vec } from "./vec";
@@ -146,7 +146,7 @@ export function tackleSeen(
     jumping: to.gypsy_jumping,
     motor_speed: to.motor_speed_heard,
     ...(to.leads ? { lead: (to.lead_clock * Math.PI) / 6 } : {}),
-    ...workSeen(to),
+    ...(topic === "ForecastleView" ? { men: menSeen(to) } : {}), // the camera's has nothing of them
   };
 }
 

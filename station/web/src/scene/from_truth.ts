@@ -5,7 +5,7 @@ import type { WindlassLoad } from "../wire/generated";
 import type { Connection } from "../wire/connection";
 import type { AnchorFrame, SceneFrame, TackleFrame } from "./frame";
 import { pitchRadius } from "./rig";
-import { workSeen } from "./men";
+import { menSeen } from "./men";
 import { atTime, between, mix, mixAngle, mixNodes, mixTurn } from "./follow";
 
 /** What a frame is made of: a Connection, or something that has samples like one. */
@@ -92,15 +92,15 @@ function tackleOf(link: Samples, side: number, time: number): TackleFrame | unde
     brake_noise: passed(kNoise, Math.abs(w.brake_power)),
     jumping: w.gypsy_jumping,
     ...(to.cable_out > 0 ? { lead: (to.lead_clock * Math.PI) / 6 } : {}),
-    ...workAt(link, side),
+    ...menAt(link, side),
     motor_speed: w.motor_speed / (memory.fastest[side] = Math.max(memory.fastest[side]!, Math.abs(w.motor_speed))),
   };
 }
 
 /** What men do is told by the eyes on deck alone. */
-function workAt(link: Samples, side: number): Pick<TackleFrame, "work" | "work_goes"> {
+function menAt(link: Samples, side: number): Pick<TackleFrame, "men"> {
   const view = link.latest("ForecastleView", side);
-  return view ? workSeen(view) : {};
+  return view ? { men: menSeen(view) } : {};
 }
 
 /** rad: the gypsy goes with the cable that is drawn, whose samples are of other ticks than its own. */

@@ -32,10 +32,11 @@ const kStaysBack = 30; // s, after a danger or a cry
 export const isDanger = (t: TackleFrame): boolean =>
   Math.abs(t.cable_speed) >= kRunsAway || t.jumping || t.stopper_sprung || t.lining >= LiningSeen.LINING_BURNS;
 
-/** What men are at; nothing where they are set to nothing, or have done it. */
-export function workSeen(view: ForecastleView): Pick<TackleFrame, "work" | "work_goes"> {
+/** What men are at, as it is seen on deck. */
+export function menSeen(view: ForecastleView): { work: DeckWork; goes: boolean } {
   const waits = view.deck_work_waits !== DeckHindrance.DECK_HINDRANCE_NONE;
-  return waits || view.deck_work_left > 0 ? { work: view.deck_work, work_goes: !waits } : {};
+  const isDone = !waits && !(view.deck_work_left > 0);
+  return { work: isDone ? DeckWork.DECK_WORK_NONE : view.deck_work, goes: !waits };
 }
 
 /** Places by the gear; rail: m, half the breadth over the bulwark at x. */
@@ -119,10 +120,10 @@ export class Stations {
     for (const r of rigs) this.gear.set(r.tackle.side, new Gear(r, rail));
   }
 
-  /** Where bosun, fitter and cadet stand; none: nothing is known of the windlass. */
+  /** Where bosun, fitter and cadet stand; none: nothing is known of them. */
   places({ tackle, side, back }: Known): Place[] {
     const gear = this.gear.get(side);
-    if (!gear || !tackle[side]) return [];
+    if (!gear || !tackle[side]?.men) return [];
     const danger = tackle.some((t) => t && isDanger(t));
     const runs = tackle.some((t) => t && Math.abs(t.cable_speed) > kRuns);
     const lookout = gear.atRail(0.7);
@@ -133,12 +134,11 @@ export class Stations {
         ? safe
         : [lookout, runs ? behind : gear.byStopper(), gear.abaft(2.7, -2.7, runs ? "calls" : "stands")];
     // Work is done where the server has men at it: by the fitter first, then by the bosun.
-    const parties = [...this.gear].map(([at, g]) => {
-      const t = tackle[at];
-      return t?.work === undefined ? [] : g.work(t.work, t.work_goes ?? false).map((p) => ({ p, goes: t.work_goes }));
+    const wanted = [...this.gear].flatMap(([at, g]) => {
+      const { work, goes } = tackle[at]?.men ?? { work: DeckWork.DECK_WORK_NONE, goes: false };
+      return goes || !(danger || back) ? g.work(work, goes) : [];
     });
-    const wanted = parties.flat().filter(({ goes }) => goes || !(danger || back));
-    for (const [i, { p }] of wanted.slice(0, kMen).entries()) places[[1, 0, 2][i]!] = p;
+    for (const [i, place] of wanted.slice(0, kMen).entries()) places[[1, 0, 2][i]!] = place;
     return places;
   }
 

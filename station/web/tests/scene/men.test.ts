@@ -38,8 +38,11 @@ const fromCable = ([x, y]: readonly [number, number]): number =>
     }),
   );
 
-test("of a windlass that is not heard of, nobody is drawn", () =>
-  assert.deepEqual(stations.places({ tackle: [undefined, undefined], side: 0, back: false }), []));
+test("where nothing is heard of the men, as by the bridge's camera, nobody is drawn", () => {
+  assert.deepEqual(stations.places({ tackle: [undefined, undefined], side: 0, back: false }), []);
+  const { men: _, ...camera } = seen[0]!;
+  assert.deepEqual(stations.places({ tackle: [camera, undefined], side: 0, back: false }), []);
+});
 
 test("a lookout at the rail ahead of the pipe looks out; the fitter is by the stopper of a cable that is held", () => {
   const [bosun, fitter] = men({});
@@ -61,11 +64,11 @@ for (const danger of [{ cable_speed: 8 }, { jumping: true }, { stopper_sprung: t
 
 test("who are set to work are at it where the server has them at it, and stand off where it has them wait", () => {
   const work = DeckWork.DECK_WORK_BREAK_CABLE;
-  const near = (goes: boolean): number => men({ work, work_goes: goes }).filter(({ at }) => fromCable(at) < 1).length;
+  const near = (goes: boolean): number => men({ men: { work, goes } }).filter(({ at }) => fromCable(at) < 1).length;
   assert.equal(near(true), 2);
   assert.equal(near(false), 0);
-  for (const { at } of men({ work, work_goes: false, cable_speed: 8 })) assert.ok(at[0] < told.gypsy[0]);
-  const valves = men({ work: DeckWork.DECK_WORK_CROSS_CONNECT, work_goes: true })[1]!;
+  for (const { at } of men({ men: { work, goes: false }, cable_speed: 8 })) assert.ok(at[0] < told.gypsy[0]);
+  const valves = men({ men: { work: DeckWork.DECK_WORK_CROSS_CONNECT, goes: true } })[1]!;
   assert.ok(valves.at[0] < told.gypsy[0] && valves.at[1] > told.gypsy[1]);
 });
 
@@ -88,8 +91,8 @@ test("nobody steps over a cable on his way, whatever comes between", () => {
   const states: Partial<TackleFrame>[] = [
     {},
     { cable_speed: 8 },
-    { work: DeckWork.DECK_WORK_CROSS_CONNECT, work_goes: true },
-    { work: DeckWork.DECK_WORK_CLEAR_ANCHOR, work_goes: true },
+    { men: { work: DeckWork.DECK_WORK_CROSS_CONNECT, goes: true } },
+    { men: { work: DeckWork.DECK_WORK_CLEAR_ANCHOR, goes: true } },
     { cable_speed: 1 },
   ];
   for (const i of [0, 1, 2])
