@@ -65,7 +65,7 @@ export interface TackleFrame {
   motor_speed: number;
   /** rad clockwise from ahead, to where the cable leads, as far as it is seen to. */
   lead?: number;
-  /** What men are set to at it and have not done, and whether they go on; else they wait. undefined: it is not known. */
+  /** What men are at, if it is known: their work, none where it is done; whether it goes on, else they wait. */
   men?: { work: DeckWork; goes: boolean };
 }
 

@@ -39,7 +39,6 @@ export class MenFigures {
   private readonly legs: InstancedMesh;
   private readonly arms: InstancedMesh;
   private time = NaN; // s, of the last frame
-  private side = -1;
 
   /** rail: m, half the breadth over the bulwark at x. deck: m, body frame. */
   constructor(
@@ -81,8 +80,7 @@ export class MenFigures {
   show(frame: SceneFrame, side: number, byOthers: boolean, still: boolean, eye: V3): void {
     const since = frame.time - this.time;
     this.time = frame.time;
-    const goes = !still && side === this.side && since >= 0 && since < kJump;
-    this.side = side;
+    const goes = !still && since >= 0 && since < kJump;
     const back = this.warned.back(frame.time, frame.tackle, frame.cried);
     const known: Known = { tackle: frame.tackle, side, back };
     const places = this.stations.places(known);
