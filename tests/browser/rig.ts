@@ -9,7 +9,7 @@ import { createInterface } from "node:readline";
 
 import { root } from "./browser";
 
-const bin = process.env.WINDLASS_BIN ?? join(root, "build/release/bin");
+const bin = () => process.env.WINDLASS_BIN ?? join(root, "build/release/bin"); // of what is started next
 const kDomain = process.env.WINDLASS_DOMAIN ?? "";
 if (!kDomain) throw new Error("WINDLASS_DOMAIN is not set: run by own_domain, or set it to a domain of your own");
 const kPatience = 60000; // ms for what happens within one second on a machine at rest
@@ -49,7 +49,7 @@ export class Program {
     private readonly name: string,
     args: string[],
   ) {
-    const child = spawn(join(bin, name), args, { stdio: ["ignore", "pipe", "pipe"] });
+    const child = spawn(join(bin(), name), args, { stdio: ["ignore", "pipe", "pipe"] });
     this.child = child;
     child.on("error", (why) => (this.errors += `${why}`));
     child.stderr.on("data", (text: Buffer) => (this.errors += text.toString()));

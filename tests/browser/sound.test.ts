@@ -153,13 +153,14 @@ const kUnexplained = process.env.WINDLASS_BROWSER === "firefox" && "13 dB in Fir
 test(
   "a runaway is 20 dB louder than a let-go that is held, and every machine at its work quieter than that",
   { skip: kUnexplained },
-  async () => {
+  async (context) => {
     const of = async (heard: Heard) => (await level(heard)).level;
     const held = await of({ cableSpeed: 3, brakeNoise: 1 });
     const runaway = await of({ cableSpeed: 9 });
     const motor = await of({ drive: { speed: 1, load: 0.6 } });
     const pump = await of({ hydraulic: true, drive: { speed: 1, load: 0.6 } });
     const words = `held ${held.toFixed(1)}, runaway ${runaway.toFixed(1)}, motor ${motor.toFixed(1)}, pump ${pump.toFixed(1)} dB`;
+    context.diagnostic(words);
     assert.ok(runaway > held + 19, words); // 1 dB, the least that an ear tells apart
     assert.ok(motor < held && pump < held, words);
   },

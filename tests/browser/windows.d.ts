@@ -23,6 +23,8 @@ declare global {
     pads: ((Partial<Omit<Gamepad, "buttons">> & { buttons: { pressed: boolean; value: number }[] }) | null)[];
     /** Shuts the page's socket, and lets no other open, until it is called with false. */
     cut: (on: boolean) => void;
+    /** That the scene has drawn where the processor draws. */
+    pictures: number;
     /** What the browser's voice has said, and the voices it has. */
     spoken: string[];
     voices: { name: string; lang: string; localService: boolean }[];
