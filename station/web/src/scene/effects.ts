@@ -83,11 +83,17 @@ export class Effects {
         );
       }
     }
-    if (speed > kRunsAway)
+    if (speed > kRunsAway) {
       for (let n = many(30 * (speed - kRunsAway + 0.5)); n > 0; --n) {
         const at = this.next() < 0.5 ? places.gypsy : places.pipe;
         this.cover.add(kStorm, at.x + r(), at.y + r(), at.z + 0.3 * r(), 2.4 * r(), 2.4 * r(), 1.2 + 1.4 * r());
       }
+      // steel on steel
+      for (let n = many(14 * (speed - kRunsAway + 0.5)); n > 0; --n) {
+        const at = this.next() < 0.5 ? places.gypsy : places.pipe;
+        this.shine.add(kSpark, at.x + 0.3 * r(), at.y + 0.3 * r(), at.z + 0.1, 6 * r(), 6 * r(), 1.5 + 3 * r());
+      }
+    }
     this.entry(tackle, links, origin, speed, many, r, surface);
     if (tackle.lining >= LiningSeen.LINING_SMOKES) {
       const burns = tackle.lining >= LiningSeen.LINING_BURNS;
