@@ -24,7 +24,7 @@ export interface Place {
 /** Three of them in a party: bosun, fitter, cadet. */
 export const kMen = 3;
 
-const kRunsAway = 5.5; // m/s: a cable that nobody stays beside
+const kRunsAway = 6; // m/s: a cable that nobody stays beside, said to run away (forecastle/captions.ts)
 const kRuns = 0.3; // m/s: one that nobody stands at
 const kStaysBack = 30; // s, after a danger or a cry
 
