@@ -50,7 +50,7 @@ test("a fixed light burns always, and what is unlit never and has no character",
   assert.equal(character(unlit), "");
 });
 
-test("a sector has its colour between its bearings from seaward, one over north, too, and none where it is hidden", () => {
+test("a sector has its colour between its bearings from seaward, over north, too, and none where hidden", () => {
   const degrees = Math.PI / 180;
   const { LIGHT_WHITE, LIGHT_RED, LIGHT_NONE } = LightColour;
   const sectors = [
