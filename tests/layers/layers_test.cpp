@@ -138,6 +138,7 @@ const std::vector<Room>& rooms() {
          {"common", "idl", "instructor_console/history", "lesson", "lesson/whatif", "recorder/debrief",
           "recorder/recording", "recorder/resimulate", "server/assess", "server/config", exercise + "...",
           "station", "station/gateway", "trainee_client", "words"}},
+        {"door/cmi5", {"windlass::cmi5"}, {"common"}},
         {"door",
          {"windlass::door"},
          {"common", "idl", "instructor_console", "instructor_console/history", "recorder/debrief", "station",
