@@ -3,12 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 
 namespace windlass::door {
 
 using gateway::Verdict;
 using nlohmann::json;
+
+std::int64_t unix_s() {
+    return std::chrono::duration_cast<std::chrono::seconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
 
 Verdict answer(const json& body, int status) {
     return {.kind = Verdict::Kind::answer,

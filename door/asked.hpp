@@ -7,11 +7,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <string>
 
 namespace windlass::door {
 
 inline constexpr int kDay = 24 * 3600; ///< s
+
+std::int64_t unix_s(); ///< since 1970, by this machine's clock
 
 gateway::Verdict answer(const nlohmann::json& body, int status = 200);
 

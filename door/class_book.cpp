@@ -47,7 +47,8 @@ ClassBook::ClassBook(const json& kept) {
                            .names = each.value("names", std::vector<std::string>()),
                            .trainees = {},
                            .results = {},
-                           .over = each.at("over")};
+                           .over = each.at("over"),
+                           .launch = each.value("launch", std::string())};
         for (const auto& [exercise, result] : each.at("results").items())
             made.results[exercise] = {.recording = result.at("recording"),
                                       .points = points_of(result.at("points")),
@@ -86,6 +87,7 @@ json ClassBook::to_json() const {
                         {"exercises", each.exercises},
                         {"names", each.names},
                         {"over", each.over},
+                        {"launch", each.launch},
                         {"results", std::move(results)},
                         {"trainees", std::move(trainees)}});
     }
@@ -121,9 +123,7 @@ const TrainingClass& ClassBook::open(const std::string& id, const std::string& l
             throw Denied(400, fmt::format("names: {} stands there twice", name));
     if (const auto* there = find(id); there != nullptr && !there->over)
         throw Denied(409, "there is a class of that name");
-    const auto under_way =
-        std::ranges::count_if(classes_, [](const TrainingClass& each) { return !each.over; });
-    if (under_way >= static_cast<std::ptrdiff_t>(kClasses))
+    if (count(false, false) >= kClasses)
         throw Denied(409, fmt::format("{} classes at a time: end one", kClasses));
     std::erase_if(classes_, [&](const TrainingClass& each) { return each.id == id; });
     TrainingClass made{.id = id,
@@ -146,9 +146,54 @@ void ClassBook::end(const std::string& id) {
     ended.over = true;
     for (Trainee& each : ended.trainees)
         each.key.clear();
-    const auto over = [](const TrainingClass& each) { return each.over; };
-    if (std::ranges::count_if(classes_, over) > static_cast<std::ptrdiff_t>(kClasses))
-        classes_.erase(std::ranges::find_if(classes_, over));
+    const bool launched = !ended.launch.empty();
+    if (count(launched, true) > (launched ? kLaunched : kClasses))
+        classes_.erase(std::ranges::find_if(classes_, [&](const TrainingClass& each) {
+            return each.over && each.launch.empty() != launched;
+        }));
+}
+
+std::size_t ClassBook::count(bool launched, bool over) const {
+    return static_cast<std::size_t>(std::ranges::count_if(classes_, [&](const TrainingClass& each) {
+        return each.over == over && each.launch.empty() != launched;
+    }));
+}
+
+bool ClassBook::can_launch() const {
+    return count(true, false) < kLaunched;
+}
+
+Trainee ClassBook::launch(const std::string& id, const std::string& session, const std::string& lesson,
+                          bool practice, const std::string& name, const std::string& key, std::int64_t now) {
+    if (!can_launch())
+        throw Denied(503, fmt::format("{} lessons that learning systems have started are under way: try "
+                                      "again later",
+                                      kLaunched));
+    if (find(id) != nullptr) throw Denied(409, "there is a class of that name");
+    const std::string exercise = id + "-1";
+    const Trainee seated{.name = name, .key = key, .exercise = exercise, .place = Place::ship};
+    classes_.push_back({.id = id,
+                        .lesson = lesson,
+                        .code = "",
+                        .until = now + kGood,
+                        .practice = practice,
+                        .exercises = {exercise},
+                        .names = {name},
+                        .trainees = {seated},
+                        .results = {},
+                        .launch = session});
+    return seated;
+}
+
+const TrainingClass* ClassBook::launched(const std::string& session) const {
+    const auto found = std::ranges::find(classes_, session, &TrainingClass::launch);
+    return session.empty() || found == classes_.end() ? nullptr : &*found;
+}
+
+void ClassBook::forget(const std::string& id) {
+    std::erase_if(classes_, [&](const TrainingClass& each) {
+        return each.id == id && each.over && !each.launch.empty();
+    });
 }
 
 bool ClassBook::note(const std::string& id, const std::string& exercise, const Result& result) {
@@ -192,7 +237,7 @@ std::string marks_csv(const TrainingClass& of) {
 
 const TrainingClass* ClassBook::with_code(const std::string& code, std::int64_t now) const {
     const auto found = std::ranges::find_if(classes_, [&](const TrainingClass& each) {
-        return !each.over && each.code == code && now < each.until;
+        return !each.over && each.launch.empty() && each.code == code && now < each.until;
     });
     return found == classes_.end() ? nullptr : &*found;
 }
@@ -217,7 +262,8 @@ Trainee ClassBook::join(const std::string& id, const std::string& name, const st
 const TrainingClass* ClassBook::with_seat(int exercise, Place place) const {
     const auto has = [&](const TrainingClass& each) {
         const auto places = places_of(each.crew);
-        return !each.over && exercise >= 1 && static_cast<std::size_t>(exercise) <= each.exercises.size() &&
+        return !each.over && each.launch.empty() && exercise >= 1 &&
+               static_cast<std::size_t>(exercise) <= each.exercises.size() &&
                std::ranges::find(places, place) != places.end();
     };
     const auto found = std::find_if(classes_.rbegin(), classes_.rend(), has);

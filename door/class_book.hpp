@@ -52,6 +52,7 @@ struct TrainingClass {
     std::vector<Trainee> trainees;
     std::map<std::string, Result> results; ///< by exercise
     bool over = false;
+    std::string launch = {}; ///< of a learning system: its session; empty: an instructor's class
 
     const Trainee* find(const std::string& name) const;
 };
@@ -61,6 +62,7 @@ class ClassBook {
 public:
     static constexpr int kExercises = 64, kCrew = 3; ///< of a class, at most
     static constexpr std::size_t kClasses = 16;      ///< that are not over, and as many that are
+    static constexpr std::size_t kLaunched = 64;     ///< the same of those that learning systems start
     static constexpr std::int64_t kGood = 24 * 3600; ///< s that a code is good for
 
     /// A book as to_json() gave it. Throws std::exception when it is none.
@@ -76,6 +78,17 @@ public:
     const TrainingClass& open(const std::string& id, const std::string& lesson, int exercises, int crew,
                               const std::string& code, std::int64_t now, std::vector<std::string> names = {},
                               bool practice = false);
+
+    /// Opens a class of one for whom a learning system sends: nobody else joins, and no device has a seat
+    /// there. session: not empty; the rest as open() and join() have it. Throws Denied.
+    Trainee launch(const std::string& id, const std::string& session, const std::string& lesson,
+                   bool practice, const std::string& name, const std::string& key, std::int64_t now);
+    /// Whether one more may be launched.
+    bool can_launch() const;
+    /// The class of that session; nullptr: none.
+    const TrainingClass* launched(const std::string& session) const;
+    /// What is left of a class that was launched and is over is kept elsewhere.
+    void forget(const std::string& id);
 
     /// Its code and its seats are nobody's any more; who sat where is kept, with what came of it, until a
     /// class of that name is opened, or kClasses others are over.
@@ -118,6 +131,7 @@ public:
 
 private:
     TrainingClass& mine(const std::string& id);
+    std::size_t count(bool launched, bool over) const;
 
     std::vector<TrainingClass> classes_;
 };

@@ -22,12 +22,6 @@ using nlohmann::json;
 
 namespace {
 
-std::int64_t unix_s() {
-    return std::chrono::duration_cast<std::chrono::seconds>(
-               std::chrono::system_clock::now().time_since_epoch())
-        .count();
-}
-
 /// The list of a class; none: whoever has its code may join.
 std::vector<std::string> names_in(const json& asked) {
     std::vector<std::string> names;
@@ -103,6 +97,8 @@ void DoorHost::act(const std::string& path, const std::string& body, const Who& 
         if (path == "/door/logout") return reply(log_out(who));
         if (path == "/door/device") return reply(open_kiosk(who, asked));
         if (path == "/door/sit") return reply(sit(who));
+        if (path == "/door/launch") return launch(who, asked, reply);
+        if (path == "/door/finish") return reply(finish(who));
         if (!who.staff) throw Denied(who.trainee ? 403 : 401, "this is for instructors: log in");
         if (path == "/door/class" && leads(who.staff->rank)) return reply(lead(who, asked));
         if (path == "/door/people" && who.staff->rank == Rank::owner) return let_in(who, asked, reply);
@@ -135,6 +131,16 @@ const TrainingClass& DoorHost::class_of(const Who& who, const json& asked, const
     throw Denied(403, "no class has this code today");
 }
 
+/// Its browser gets another seat.
+void DoorHost::leave_seat(const Who& who) {
+    if (!who.trainee) return;
+    const std::string& id = who.trainee->class_id;
+    if (const auto* its_class = book_.find(id); its_class != nullptr && !its_class->launch.empty())
+        return end_launch(id);
+    send_away(who.key, "this browser has another seat now");
+    book_.remove(id, who.trainee->trainee.name);
+}
+
 /// Who may join by that code and has no seat yet; null: whoever has the code.
 Verdict DoorHost::names(const Who& who, const json& asked) {
     const TrainingClass& its_class = class_of(who, asked, "");
@@ -152,10 +158,7 @@ Verdict DoorHost::join(const Who& who, const json& asked) {
     if (who.trainee && who.trainee->class_id == id) return answer(me(who)); // it sits there already
     const std::string secret = make_secret(), key = digest(secret);
     const Trainee seated = book_.join(id, name, key);
-    if (who.trainee) {
-        send_away(who.key, "this browser has another seat now");
-        book_.remove(who.trainee->class_id, who.trainee->trainee.name);
-    }
+    leave_seat(who);
     keep_classes();
     audit_.write("join", {{"name", name},
                           {"class", id},
@@ -219,6 +222,8 @@ void DoorHost::set_up(const Who& who, const json& asked, const Reply& reply) {
 }
 
 Verdict DoorHost::log_out(const Who& who) {
+    if (who.trainee && !book_.find(who.trainee->class_id)->launch.empty())
+        return finish(who); // the browser is told what came of it, by its cookie
     send_away(who.key, "logged out");
     if (who.staff) {
         staff_.end(who.key);
@@ -349,6 +354,7 @@ json DoorHost::me(const Who& who) const {
                      {"exercise", trainee.exercise},
                      {"place", name_of(trainee.place)}});
     }
+    if (json launch = launch_told(who.key); !launch.is_null()) told["launch"] = std::move(launch);
     return told;
 }
 

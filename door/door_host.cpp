@@ -15,7 +15,8 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr std::size_t kLongestTarget = 2048;
-constexpr auto kLook = 500ms; // how often classes' exercises are looked after
+constexpr std::size_t kLongestLaunch = 6000; // addresses within an address
+constexpr auto kLook = 500ms;                // how often classes' exercises are looked after
 
 std::string lower(std::string text) {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -70,7 +71,10 @@ DoorHost::DoorHost(DoorOptions options, const gateway::Assets& assets, Stations&
       runs_{stations.instructor(), stations.member()},
       wrong_codes_{20, 3s},
       wrong_passwords_{10, 6s},
-      setup_token_{people_.empty() ? make_secret() : std::string()} {}
+      setup_token_{people_.empty() ? make_secret() : std::string()},
+      outbox_{options_.state / "launches", write_private} {
+    if (!options_.learning_systems.empty()) private_folder(options_.state / "launches");
+}
 
 void DoorHost::judge(Way way, const Request& request, const Reply& reply) {
     const char* scheme = way == Way::tls ? "https://" : "http://";
@@ -79,7 +83,7 @@ void DoorHost::judge(Way way, const Request& request, const Reply& reply) {
     const bool ours = lower(request.origin) == scheme + lower(request.host);
     if (!request.origin.empty() && !ours)
         return reply(gateway::refused(403, "pages of this origin are not served here"));
-    if (request.target.size() > kLongestTarget)
+    if (request.target.size() > (request.target.starts_with("/cmi5/") ? kLongestLaunch : kLongestTarget))
         return reply(gateway::refused(414, "the address is too long"));
     const std::string path = request.target.substr(0, request.target.find('?'));
     const bool post = request.method == "POST";
@@ -116,12 +120,15 @@ DoorHost::Who DoorHost::who(Way way, const Request& request) {
 void DoorHost::tick(gateway::Clock::time_point now) {
     stations_.tick(now);
     slow_.tick();
+    launches_.tick();
+    posts_.tick();
     if (now < next_look_) return;
     next_look_ = now + kLook;
     turn_out_kiosks();
     runs_.tick(book_.classes(), now);
     note_results();
     keep_attempts();
+    tend_launches(now);
 }
 
 /// Of exercises that are there; what came of others is known.

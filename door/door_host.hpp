@@ -5,6 +5,7 @@
 #include "door/audit.hpp"
 #include "door/certificate.hpp"
 #include "door/class_runs.hpp"
+#include "door/cmi5/outbox.hpp"
 #include "door/kiosks.hpp"
 #include "door/slow_work.hpp"
 #include "door/staff_sessions.hpp"
@@ -35,6 +36,11 @@ struct DoorOptions {
     std::function<std::string(const std::string& recording)> debriefing;
     /// Puts an attempt into the history, or brings it up to date there. The same.
     std::function<void(const AttemptMade& made)> put_in_history;
+    /// Who may start lessons here; none: nobody does, and nothing goes out.
+    cmi5::LearningSystems learning_systems = {};
+    cmi5::WebClient web = cmi5::WebClient(); ///< asks them
+    /// What came of a recording's attempt. The same.
+    std::function<cmi5::Marks(const std::string& recording)> marks_of = {};
 };
 
 /// How a request came: by TLS, or without on loopback.
@@ -94,11 +100,27 @@ private:
     gateway::Verdict join(const Who& who, const Json& asked);
     const TrainingClass& class_of(const Who& who, const Json& asked, const std::string& name);
     gateway::Verdict names(const Who& who, const Json& asked);
+    void leave_seat(const Who& who);
     gateway::Verdict open_kiosk(const Who& who, const Json& asked);
     gateway::Verdict sit(const Who& who);
     gateway::Verdict keep_kiosks(const Who& who, const Json& asked);
     Json kiosks() const;
     void turn_out_kiosks();
+
+    // Lessons that a learning system starts (launch_acts.cpp).
+    struct Arrived;
+    void launch(const Who& who, const Json& asked, const Reply& reply);
+    gateway::Verdict arrive(const Who& who, const Arrived& arrived);
+    std::string learner_name(const Json& actor) const;
+    gateway::Verdict finish(const Who& who);
+    Json launch_told(const std::string& browser) const;
+    void end_launch(const std::string& class_id);
+    void tend_launches(gateway::Clock::time_point now);
+    void tend_launch(const TrainingClass& its_class, gateway::Clock::time_point now);
+    void settle_launch(const TrainingClass& its_class);
+    void close_session(const std::string& id, const std::optional<cmi5::Marks>& marks);
+    void post_statements();
+
     void log_in(const Who& who, const Json& asked, const Reply& reply);
     void set_up(const Who& who, const Json& asked, const Reply& reply);
     gateway::Verdict logged_in(const Who& who, const std::string& name, const std::string& how);
@@ -138,6 +160,17 @@ private:
     gateway::Clock::time_point next_look_{};
     std::set<std::string> asked_for_history_; // recordings, by this program: each once
     SlowWork slow_;
+
+    cmi5::Outbox outbox_;
+    struct Watched {
+        gateway::Clock::time_point seen;                         // its page was open
+        std::optional<gateway::Clock::time_point> recorded = {}; // since when
+        std::optional<gateway::Clock::time_point> finished = {}; // since when
+        bool asked_for_marks = false;
+    };
+    std::map<std::string, Watched> watched_;  // launches, by class
+    std::set<std::string> launching_;         // digests of fetch addresses that are being asked
+    SlowWork launches_{8, 64}, posts_{4, 64}; // a learning system that is slow holds up no login
 };
 
 } // namespace windlass::door

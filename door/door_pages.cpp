@@ -50,8 +50,13 @@ Verdict DoorHost::file(const std::string& path, const Who& who) const {
         }
         if (who.trainee)
             return gateway::role_of(seat_at(who.trainee->trainee.place), who.trainee->trainee.exercise).pages;
+        if (outbox_.of_browser(who.key) != nullptr) return {"cmi5"};
         return {who.kiosk ? "kiosk" : "join"};
     }();
+    const bool launch = path == "/cmi5" || path.starts_with("/cmi5/"); // the page reads the rest
+    if (launch && options_.learning_systems.empty())
+        return refused(404, "no learning system may start lessons here: --learning-system lets one");
+    if (launch) return give(assets_.find("/cmi5"));
     if (path == "/authority.crt" && !options_.certificate.authority.empty())
         return {.kind = Verdict::Kind::answer,
                 .type = "application/x-x509-ca-cert",

@@ -6,6 +6,7 @@
 #include "door/tls_server.hpp"
 #include "instructor_console/history/history.hpp"
 #include "instructor_console/pages.hpp"
+#include "recorder/debrief/judgement.hpp"
 #include "recorder/debrief/read_attempt.hpp"
 #include "station/gateway/roles.hpp"
 #include "station/options.hpp"
@@ -46,6 +47,8 @@ struct Options {
     std::vector<std::string> names;
     fs::path recordings = "recordings", exercises = "config/exercises", history;
     std::string log_level = "info";
+    std::vector<std::string> learning_systems;
+    fs::path learning_authority;
 
     // Of the command kiosk.
     CLI::App *kiosk = nullptr, *kiosk_add = nullptr, *kiosk_remove = nullptr;
@@ -108,6 +111,15 @@ void add_options(CLI::App& app, Options& options) {
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory)
         ->capture_default_str();
+    app.add_option("--learning-system", options.learning_systems,
+                   "origin of a learning system that may start lessons here (cmi5) and is told what came of "
+                   "them: https://HOST[:PORT]; its record store's, too, where that is another; without one "
+                   "nothing goes out")
+        ->type_name("ORIGIN");
+    app.add_option("--learning-authority", options.learning_authority,
+                   "certificates in PEM by which such a system is trusted, beside those of this machine")
+        ->type_name("FILE")
+        ->check(CLI::ExistingFile);
     app.add_option("--log-level", options.log_level, "how much is told on stderr")
         ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
         ->capture_default_str();
@@ -148,6 +160,30 @@ void put_in_history(const Options& options, const door::AttemptMade& made) {
     const bool replace = true; // a seat that was another's before the last word of the class
     history::History(options.history)
         .add(debrief::read_attempt(recording), seats, options.recordings / made.recording, replace);
+}
+
+/// What its recording says of an attempt, for a learning system.
+cmi5::Marks marks_of(const fs::path& folder) {
+    recording::Recording recording({folder});
+    const debrief::Attempt attempt = debrief::read_attempt(recording);
+    cmi5::Marks marks{.outcome = {},
+                      .duration = attempt.duration(),
+                      .objectives = {},
+                      .recording = folder.filename(),
+                      .recording_sha256 = attempt.origin.sha256};
+    if (!attempt.assessment) return marks;
+    const Assessment& its = *attempt.assessment;
+    marks.ended_by_itself = its.finished() && its.ending() != LESSON_ENDED_EARLY;
+    marks.practice = its.practice();
+    marks.outcome = its.outcome().to_string();
+    marks.score = its.score();
+    for (const debrief::Achievement& each : debrief::achievements_of(attempt))
+        marks.objectives.push_back({.id = each.id,
+                                    .text = each.text,
+                                    .stcw = each.stcw,
+                                    .outcome = each.outcome,
+                                    .score = each.score});
+    return marks;
 }
 
 void set_up_log(const std::string& level) {
@@ -262,7 +298,11 @@ int run(Options options) {
              },
          .debriefing = [debrief_of, recordings = options.recordings](
                            const std::string& recording) { return debrief_of(recordings / recording); },
-         .put_in_history = [options](const door::AttemptMade& made) { put_in_history(options, made); }},
+         .put_in_history = [options](const door::AttemptMade& made) { put_in_history(options, made); },
+         .learning_systems = cmi5::LearningSystems(options.learning_systems),
+         .web = cmi5::WebClient(options.learning_authority),
+         .marks_of = [recordings = options.recordings](
+                         const std::string& recording) { return marks_of(recordings / recording); }},
         assets, stations, log);
     const door::TlsServer server(options.ports, certificate, host);
     print_addresses(options, server, names, certificate, host.setup_token());

@@ -1,5 +1,5 @@
 #pragma once
-// What would hold the network up: passwords, files. One after the other, beside the network's thread.
+// What would hold the network up: passwords, files, other machines. Beside the network's thread.
 
 #include "station/gateway/request.hpp"
 
@@ -8,13 +8,16 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <vector>
 
 namespace windlass::door {
 
 /// Called on the network's thread alone.
 class SlowWork {
 public:
-    static constexpr std::size_t kWaiting = 16; ///< beyond that people are asked to come again
+    /// at_once: threads; 1: one thing after the other. waiting: beyond that people are asked to come again.
+    explicit SlowWork(std::size_t at_once = 1, std::size_t waiting = 16)
+        : at_once_{at_once}, most_{waiting} {}
 
     using Verdict = gateway::Verdict;
 
@@ -23,8 +26,7 @@ public:
     template <class Result>
     void add(std::function<Result()> work, std::function<Verdict(Result)> then,
              std::function<void(Verdict)> reply) {
-        if (waiting_.size() >= kWaiting)
-            return reply(gateway::refused(503, "many are at the door: try again"));
+        if (waiting_.size() >= most_) return reply(gateway::refused(503, "many are at the door: try again"));
         waiting_.push_back([work = std::move(work), then = std::move(then),
                             reply = std::move(reply)]() -> std::function<bool()> {
             auto made = std::make_shared<std::future<Result>>(std::async(std::launch::async, work));
@@ -41,15 +43,17 @@ public:
     }
 
     void tick() {
-        if (done_ && done_()) done_ = {};
-        if (done_ || waiting_.empty()) return;
-        done_ = waiting_.front()();
-        waiting_.pop_front();
+        std::erase_if(under_way_, [](const auto& done) { return done(); });
+        while (under_way_.size() < at_once_ && !waiting_.empty()) {
+            under_way_.push_back(waiting_.front()());
+            waiting_.pop_front();
+        }
     }
 
 private:
+    const std::size_t at_once_, most_;
     std::deque<std::function<std::function<bool()>()>> waiting_; // begins the work
-    std::function<bool()> done_;                                 // of that which is under way
+    std::vector<std::function<bool()>> under_way_;               // whether it is done, which is told once
 };
 
 } // namespace windlass::door

@@ -19,7 +19,7 @@ struct PortOptions {
 class TlsServer {
 public:
     static constexpr std::size_t kConnections = 512; ///< of HTTPS, that are no WebSockets, at a time
-    static constexpr std::size_t kBody = 4096;       ///< bytes of a request's body
+    static constexpr std::size_t kBody = 8192;       ///< bytes of a request's body
 
     /// Throws std::runtime_error when it cannot listen there, or the certificate is none.
     TlsServer(const PortOptions& options, const Certificate& certificate, DoorHost& host);

@@ -185,5 +185,40 @@ TEST(Code, IsTypedAsItComes) {
     EXPECT_NE(make_code(), make_code());
 }
 
+TEST_F(Booked, WhatALearningSystemStartsIsOneLearnersAndNobodyElseSitsThere) {
+    const Trainee seated = book_.launch("cmi5-1", "session-1", "L04_weigh", true, "emil", "k9", kNow);
+    EXPECT_EQ(seated.exercise, "cmi5-1-1");
+    EXPECT_EQ(book_.seated("k9")->class_id, "cmi5-1");
+    EXPECT_EQ(book_.with_code("", kNow), nullptr) << "it has no code";
+    EXPECT_EQ(book_.with_seat(1, Place::ship), nullptr) << "a device waits for an instructor's class";
+    const ClassBook kept(book_.to_json());
+    ASSERT_NE(kept.launched("session-1"), nullptr);
+    EXPECT_TRUE(kept.launched("session-1")->practice);
+    EXPECT_EQ(kept.launched(""), nullptr) << "an instructor's class is of no session";
+    book_.forget("cmi5-1");
+    EXPECT_NE(book_.find("cmi5-1"), nullptr) << "it is not over";
+    book_.end("cmi5-1");
+    book_.forget("cmi5-1");
+    EXPECT_EQ(book_.find("cmi5-1"), nullptr);
+    book_.end("mon");
+    book_.forget("mon");
+    EXPECT_NE(book_.find("mon"), nullptr) << "an instructor's is kept as ever";
+}
+
+TEST_F(Booked, LearningSystemsHaveTheirOwnPlacesAndTakeNoneOfAnInstructors) {
+    for (std::size_t i = 0; i < ClassBook::kLaunched; ++i) {
+        const std::string n = std::to_string(i);
+        EXPECT_TRUE(book_.can_launch());
+        book_.launch("cmi5-" + n, "s" + n, "L04_weigh", false, "emil", "l" + n, kNow);
+    }
+    EXPECT_FALSE(book_.can_launch());
+    EXPECT_EQ(status_of([&] { book_.launch("cmi5-x", "sx", "L04_weigh", false, "emil", "lx", kNow); }), 503);
+    book_.open("tue", "L04_weigh", 1, 1, "GHJKLM", kNow);
+    book_.end("mon");
+    for (std::size_t i = 0; i < ClassBook::kLaunched; ++i)
+        book_.end("cmi5-" + std::to_string(i));
+    EXPECT_NE(book_.find("mon"), nullptr) << "its list is not pushed out by theirs";
+}
+
 } // namespace
 } // namespace windlass::door

@@ -117,7 +117,7 @@ TEST_F(HostileDoor, GarbageEndsItsOwnConnectionAndNoOther) {
 }
 
 TEST_F(HostileDoor, ABodyThatIsTooLongIsRefusedAndOneThatNeverEndsHoldsNobodyUp) {
-    EXPECT_EQ(browser().ask("POST", "/door/join", std::string(5000, 'x')).status, 413);
+    EXPECT_EQ(browser().ask("POST", "/door/join", std::string(9000, 'x')).status, 413);
     const Plain endless(door_->loopback);
     endless.say("POST /door/join HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(door_->loopback) +
                 "\r\nOrigin: http://127.0.0.1:" + std::to_string(door_->loopback) +

@@ -107,7 +107,8 @@ protected:
     static constexpr const char* kPassword = "a long password";
 
     static std::vector<std::string> domain() { return {"--domain", std::to_string(rigs::own_domain())}; }
-    std::unique_ptr<DoorProcess> open_door() const {
+    std::unique_ptr<DoorProcess> open_door(const std::string& exercises = WINDLASS_CONFIG_DIR "/exercises",
+                                           const std::vector<std::string>& also = {}) const {
         std::vector<std::string> command{WINDLASS_DOOR,
                                          "--port",
                                          "0",
@@ -120,11 +121,12 @@ protected:
                                          "--recordings",
                                          (folder_ / "recordings").string(),
                                          "--exercises",
-                                         WINDLASS_CONFIG_DIR "/exercises",
+                                         exercises,
                                          "--partition",
                                          "none"};
         const auto more = domain();
         command.insert(command.end(), more.begin(), more.end());
+        command.insert(command.end(), also.begin(), also.end());
         return std::make_unique<DoorProcess>(std::move(command));
     }
     Browser browser(const std::string& from = "127.0.0.1") const { return Browser(door_->loopback, from); }

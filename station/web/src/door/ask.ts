@@ -28,6 +28,24 @@ export interface Me {
   place?: PlaceName;
   /** Of a kiosk: which exercise of a class. */
   number?: number;
+  /** Of a browser that a learning system has sent. */
+  launch?: Launch;
+}
+
+export interface Launch {
+  state: "under_way" | "marking" | "done";
+  lesson: string;
+  name: string;
+  /** False: to look around. */
+  counts: boolean;
+  verdict: "passed" | "failed" | "";
+  points: number | null;
+  /** The learning system has not heard all of it yet. */
+  waits: boolean;
+  /** Address to go back to; empty: none. */
+  back: string;
+  /** That the learner prefers, "de-DE,en"; told once, at the launch. */
+  languages?: string;
 }
 
 export type PlaceName = "ship" | "forecastle" | "bridge" | "watch";

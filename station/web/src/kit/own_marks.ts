@@ -58,6 +58,12 @@ export class OwnMarks {
   readonly element: HTMLDialogElement;
   private readonly head = h("h2", {});
   private readonly body = h("div", { class: "scroll", tabIndex: 0, role: "group", "aria-label": t("marks") });
+  /** Of a lesson that a learning system has started. */
+  private readonly back = h(
+    "a",
+    { class: "plain", href: "/cmi5#finish", hidden: true },
+    t("Finish, back to the course"),
+  );
   private shown: Assessment | undefined;
   private readonly listeners = new Set<(told: boolean) => void>();
 
@@ -70,6 +76,7 @@ export class OwnMarks {
         { class: "row" },
         this.head,
         h("button", { class: "plain", onclick: () => this.element.close() }, t("Close")),
+        this.back,
       ),
       this.body,
     );
@@ -95,8 +102,20 @@ export class OwnMarks {
     this.button.hidden = !told;
     if (told) this.fill(assessment);
     for (const listener of this.listeners) listener(told);
+    if (first) void this.offerBack();
     if (!told) this.element.close();
     else if (first && !this.element.open) this.element.showModal();
+  }
+
+  /** Who came by the door may have come from a course; no station's own page has. */
+  private async offerBack(): Promise<void> {
+    if (!this.link.byDoor) return;
+    try {
+      const me = (await (await fetch("/door/me", { cache: "no-store" })).json()) as { launch?: unknown };
+      this.back.hidden = !me.launch;
+    } catch {
+      // it is offered where the page leads to without a seat, too
+    }
   }
 
   private fill(assessment: Assessment): void {

@@ -126,6 +126,11 @@ export class Connection {
     return this.state_;
   }
 
+  /** The page is of the door and not of a station of this computer. */
+  get byDoor(): boolean {
+    return !this.token;
+  }
+
   /**
    * The newest sample of a channel; key as the topic's instances are told apart ("0" and "1" for sides). To look at a
    * channel subscribes it, as to listen does: who looks at certain moments only has nothing at the first of them.
