@@ -43,11 +43,11 @@ cmi5::Stamp stamp() {
     return {.id = make_uuid(), .at_unix_ms = unix_ms()};
 }
 
-/// The file of a lesson that is asked for by its own name or its file's.
-std::string file_of(const json& list, const std::string& lesson) {
+/// File and id of a lesson that is asked for by either.
+std::pair<std::string, std::string> lesson_of(const json& list, const std::string& lesson) {
     for (const json& each : list.at("files"))
         if (!each.at("lesson").is_null() && (each.at("name") == lesson || each.at("lesson") == lesson))
-            return each.at("name");
+            return {each.at("name"), each.at("lesson")};
     throw Denied(404, "lesson: " + lesson + ": there is no such lesson here");
 }
 
@@ -56,7 +56,7 @@ std::string file_of(const json& list, const std::string& lesson) {
 /// What a launch has brought, or why it has not.
 struct DoorHost::Arrived {
     cmi5::Launch launch;
-    std::string lesson, token = {};
+    std::string lesson, lesson_id = {}, token = {};
     cmi5::LaunchData data = {};
     cmi5::RecordStore::Preferences preferences = {};
     bool has_passed = false, has_completed = false;
@@ -88,7 +88,7 @@ void DoorHost::launch(const Who& who, const json& asked, const Reply& reply) {
     launches_.add<Arrived>(
         [arrived, client = options_.web, lessons = options_.lessons]() mutable {
             try {
-                arrived.lesson = file_of(lessons(), arrived.lesson);
+                std::tie(arrived.lesson, arrived.lesson_id) = lesson_of(lessons(), arrived.lesson);
                 arrived.token = cmi5::RecordStore::fetch_token(client, arrived.launch.fetch);
                 const cmi5::RecordStore store(client, arrived.launch.endpoint, arrived.token);
                 arrived.data = store.launch_data(arrived.launch);
@@ -134,6 +134,7 @@ Verdict DoorHost::arrive(const Who& who, const Arrived& come) {
     cmi5::Session session;
     session.id = id;
     session.lesson = come.lesson;
+    session.lesson_id = come.lesson_id;
     session.name = name;
     session.endpoint = come.launch.endpoint;
     session.token = come.token;
@@ -187,7 +188,7 @@ json DoorHost::launch_told(const std::string& browser) const {
     return {{"state", under_way         ? "under_way"
                       : session->closed ? "done"
                                         : "marking"},
-            {"lesson", session->lesson},
+            {"lesson", session->lesson_id}, // a file's name may say what is to come
             {"name", session->name},
             {"counts", session->about.normal},
             {"verdict", session->verdict},

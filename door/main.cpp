@@ -1,10 +1,12 @@
 // The door: every page of every exercise of this machine's servers, by TLS, for whoever is let in.
 
+#include "door/cmi5/course.hpp"
 #include "door/kiosks.hpp"
 #include "door/private_file.hpp"
 #include "door/secrets.hpp"
 #include "door/tls_server.hpp"
 #include "instructor_console/history/history.hpp"
+#include "instructor_console/lesson_files.hpp"
 #include "instructor_console/pages.hpp"
 #include "recorder/debrief/judgement.hpp"
 #include "recorder/debrief/read_attempt.hpp"
@@ -54,6 +56,9 @@ struct Options {
     CLI::App *kiosk = nullptr, *kiosk_add = nullptr, *kiosk_remove = nullptr;
     door::Kiosk seat;
     std::string place;
+
+    CLI::App* course = nullptr;
+    std::string url; // of the course
 };
 
 /// $XDG_DATA_HOME/windlass/door, or ~/.local/share/windlass/door.
@@ -138,6 +143,12 @@ void add_options(CLI::App& app, Options& options) {
     options.kiosk_remove->fallthrough()->add_option("name", options.seat.name, "of the device")->required();
     options.kiosk->add_subcommand("list", "each with its seat, and whether a device has opened its address")
         ->fallthrough();
+    options.course = app.add_subcommand(
+        "course", "prints the course for a learning system (cmi5.xml): a unit to each lesson of --exercises");
+    options.course->fallthrough()
+        ->add_option("--url", options.url,
+                     "of the door, as learners reach it: https://HOST or https://HOST:PORT")
+        ->required();
     app.footer(
         "Prints its addresses and the fingerprint of its certificate; at the first start a link with which\n"
         "the first owner is set up. docs/class.md has the rest.\n"
@@ -259,6 +270,28 @@ int kiosks(Options options) {
     return station::kOk;
 }
 
+/// The command course.
+int course(const Options& options) {
+    const auto url = cmi5::url_of(options.url);
+    if (!url || url->target != "/")
+        throw std::runtime_error("--url: " + options.url + ": https://HOST or https://HOST:PORT is allowed");
+    std::vector<cmi5::CourseLesson> lessons;
+    for (const fs::path& file : console::lesson_files(options.exercises)) {
+        const console::LessonFile read = console::read_lesson_file(file);
+        const std::string& title = read.def.title_trainee.empty() ? read.def.title : read.def.title_trainee;
+        const std::string& id = read.lesson.id;
+        if (std::ranges::find(lessons, id, &cmi5::CourseLesson::id) != lessons.end())
+            throw std::runtime_error(file.string() + ": /lesson/id: " + id + " is another lesson's, too");
+        lessons.push_back({.id = id,
+                           .title = title.starts_with(id) ? title : id + ' ' + title,
+                           .description = read.lesson.briefing.empty() ? title : read.lesson.briefing,
+                           .pass = read.lesson.pass});
+    }
+    if (lessons.empty()) throw std::runtime_error(options.exercises.string() + ": there is no lesson in it");
+    std::cout << cmi5::course_xml(url->origin(), lessons);
+    return station::kOk;
+}
+
 int run(Options options) {
     station::catch_stop_signals();
     set_up_log(options.log_level);
@@ -319,6 +352,7 @@ int main(int argc, char** argv) {
     add_options(app, options);
     if (const auto code = station::parse(app, argc, argv)) return *code;
     try {
+        if (*options.course) return station::leave(course(options));
         const bool kiosk = static_cast<bool>(*options.kiosk);
         return station::leave(kiosk ? kiosks(std::move(options)) : run(std::move(options)));
     } catch (const std::exception& error) {

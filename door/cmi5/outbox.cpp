@@ -25,6 +25,7 @@ json to_json(const Session& session) {
     const About& about = session.about;
     return {{"id", session.id},
             {"lesson", session.lesson},
+            {"lesson_id", session.lesson_id},
             {"name", session.name},
             {"endpoint", session.endpoint},
             {"token", session.token},
@@ -54,6 +55,7 @@ json to_json(const Session& session) {
 Session session_of(const json& kept) {
     return {.id = kept.at("id"),
             .lesson = kept.at("lesson"),
+            .lesson_id = kept.at("lesson_id"),
             .name = kept.at("name"),
             .endpoint = kept.at("endpoint"),
             .token = kept.at("token"),

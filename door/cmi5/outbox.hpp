@@ -9,9 +9,10 @@
 namespace windlass::cmi5 {
 
 struct Session {
-    std::string id;     ///< ours, a UUID
-    std::string lesson; ///< name of its exercise file
-    std::string name;   ///< of the learner, here
+    std::string id;        ///< ours, a UUID
+    std::string lesson;    ///< name of its exercise file
+    std::string lesson_id; ///< as the learner knows it
+    std::string name;      ///< of the learner, here
     std::string endpoint, token;
     std::string fetch;   ///< digest of its address
     std::string browser; ///< digest of the cookie of the one that came by it

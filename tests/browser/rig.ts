@@ -205,10 +205,10 @@ export class Rig {
   }
 
   /** The door, by TLS on this computer, with its state in that folder. setup: the link for the first owner. */
-  async door(state: string): Promise<Program & { url: string; setup: string }> {
+  async door(state: string, ...more: string[]): Promise<Program & { url: string; setup: string }> {
     const options = ["--address", "127.0.0.1", "--port", "0", "--state", state, "--log-level", "warn"];
     const folders = ["--exercises", join(root, "config/exercises"), "--recordings", join(state, "recordings")];
-    const program = this.start("windlass_door", ...this.session, ...options, ...folders);
+    const program = this.start("windlass_door", ...this.session, ...options, ...folders, ...more);
     const url = await program.line(/^https:\/\/localhost/);
     const setup = /https:\S+/.exec(await program.line(/^set up/))[0];
     return Object.assign(program, { url, setup });

@@ -1,12 +1,15 @@
 // How a learning system's launch is read, what is said to its record store, and what waits for it.
 
+#include "door/cmi5/course.hpp"
 #include "door/cmi5/launch.hpp"
 #include "door/cmi5/outbox.hpp"
+#include "rigs/child_process.hpp"
 #include "tests/door/learning_system.hpp"
 #include "tests/recorder/folder.hpp"
 
 #include <gmock/gmock.h>
 
+#include <boost/property_tree/xml_parser.hpp>
 #include <fmt/format.h>
 #include <fstream>
 
@@ -327,6 +330,97 @@ TEST_F(Kept, IsGivenUpAfterTwoWeeksWithAllBehindIt) {
 TEST_F(Kept, AFileThatIsNoSessionIsToldByName) {
     std::ofstream(folder_ / "x.json") << "{}";
     EXPECT_THAT(refusal([&] { outbox(); }), HasSubstr("x.json"));
+}
+
+/// Whether a course has what CourseStructure.xsd (cmi5, section 13) wants of it: which elements in which
+/// order, which attributes, of which values. What is wrong; empty: nothing.
+class CourseStructure {
+public:
+    explicit CourseStructure(const std::string& xml) {
+        std::istringstream in(xml);
+        boost::property_tree::ptree tree;
+        read_xml(in, tree, boost::property_tree::xml_parser::trim_whitespace);
+        const Tree& whole = tree.get_child("courseStructure");
+        attribute(whole, "xmlns", "https://w3id.org/xapi/profiles/cmi5/v1/CourseStructure\\.xsd");
+        expect(order(whole) == "course au", "order of the course");
+        const Tree& course = whole.get_child("course");
+        attribute(course, "id", kIri);
+        expect(order(course) == "title description", "elements of the course");
+        words(course);
+        std::set<std::string> ids;
+        for (const auto& [name, each] : whole) {
+            if (name != "au") continue;
+            ++units;
+            attribute(each, "id", kIri);
+            expect(ids.insert(value(each, "id")).second, "a unit twice");
+            attribute(each, "launchMethod", "OwnWindow|AnyWindow");
+            attribute(each, "masteryScore", "0(\\.[0-9]{1,4})?|1(\\.0{1,4})?");
+            attribute(each, "moveOn", "NotApplicable|Passed|Completed|CompletedAndPassed|CompletedOrPassed");
+            attribute(each, "activityType", kIri);
+            expect(order(each) == "title description url", "elements of a unit");
+            words(each);
+            expect(url_of(each.get<std::string>("url", "")).has_value(), "a unit's url");
+        }
+        expect(units > 0, "no unit");
+    }
+    std::vector<std::string> wrong;
+    int units = 0;
+
+private:
+    using Tree = boost::property_tree::ptree;
+    static constexpr const char* kIri = "[a-z]+:[^ <>\"{}|^`]+";
+
+    void expect(bool right, const std::string& what) {
+        if (!right) wrong.push_back(what);
+    }
+    static std::string value(const Tree& of, const std::string& name) {
+        return of.get<std::string>("<xmlattr>." + name, "");
+    }
+    void attribute(const Tree& of, const std::string& name, const std::string& form) {
+        expect(std::regex_match(value(of, name), std::regex(form)), name + "=" + value(of, name));
+    }
+    /// Names of the elements, one for a row of the same.
+    static std::string order(const Tree& of) {
+        std::string all, last;
+        for (const auto& [name, each] : of)
+            if (name != "<xmlattr>" && name != last) all += (all.empty() ? "" : " ") + (last = name);
+        return all;
+    }
+    void words(const Tree& of) {
+        for (const char* each : {"title", "description"}) {
+            const auto said = of.get_child_optional(std::string(each) + ".langstring");
+            expect(said && !said->data().empty(), std::string("no ") + each);
+            if (said) attribute(*said, "lang", "[a-z]{2}");
+        }
+    }
+};
+
+TEST(Course, HasAUnitForEachLessonByTheStructureOfTheSpecification) {
+    const std::vector<CourseLesson> lessons{
+        {.id = "L01", .title = "Let go & <bring up>", .description = "\"Let go\"\x01 in 25 m", .pass = 70},
+        {.id = "L02", .title = "Lower", .description = "Lower her", .pass = 85}};
+    const std::string xml = course_xml("https://door.example:8443", lessons);
+    const CourseStructure read(xml);
+    EXPECT_THAT(read.wrong, IsEmpty());
+    EXPECT_EQ(read.units, 2);
+    EXPECT_THAT(xml, HasSubstr("Let go &amp; &lt;bring up&gt;"));
+    EXPECT_THAT(xml, HasSubstr("masteryScore=\"0.85\" moveOn=\"Passed\""));
+    EXPECT_THAT(xml, HasSubstr("<url>https://door.example:8443/cmi5/L02</url>"));
+    EXPECT_EQ(xml, course_xml("https://door.example:8443", lessons)) << "its ids are the same again";
+}
+
+TEST(Course, OfTheShippedLessonsIsOneToo) {
+    rigs::ChildProcess program({WINDLASS_DOOR, "course", "--url", "https://door.example", "--exercises",
+                                WINDLASS_CONFIG_DIR "/exercises"});
+    ASSERT_EQ(program.exit_code(), 0) << program.text();
+    const CourseStructure read(program.text());
+    EXPECT_THAT(read.wrong, IsEmpty());
+    EXPECT_GE(read.units, 41);
+    EXPECT_THAT(program.text(), HasSubstr("<url>https://door.example/cmi5/L13</url>"));
+    EXPECT_THAT(program.text(), Not(HasSubstr("unaway"))) << "what is to come in L13 is not told beforehand";
+    rigs::ChildProcess wrong({WINDLASS_DOOR, "course", "--url", "door.example"});
+    EXPECT_EQ(wrong.exit_code(), 1);
+    EXPECT_THAT(wrong.text(), HasSubstr("--url: door.example: https://HOST"));
 }
 
 } // namespace
