@@ -134,16 +134,16 @@ void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& samp
     const auto taker =
         feed_.writer(to_replay ? static_cast<const wire::TopicInfo&>(wire::topics::replay_status)
                                : wire::topics::exercise_status);
-    if (!taker)
-        throw Refused(topic.name, "", "an order",
-                      to_replay ? "no replay is heard here" : "no server is heard here");
-    if (!writers_.heard_by(topic, *taker)) {
-        Refused refusal(topic.name, "", "an order",
-                        fmt::format("the {} does not hear this station yet: give it again",
-                                    to_replay ? "replay" : "server"));
+    // In a station's first moments either may be so of a server that is there.
+    const auto not_yet = [&](std::string why) {
+        Refused refusal(topic.name, "", "an order", std::move(why));
         refusal.again = true;
-        throw refusal;
-    }
+        return refusal;
+    };
+    const std::string one = to_replay ? "replay" : "server";
+    if (!taker) throw not_yet(fmt::format("no {} is heard here", one));
+    if (!writers_.heard_by(topic, *taker))
+        throw not_yet(fmt::format("the {} does not hear this station yet: give it again", one));
     writers_.write(topic, sample, by);
 }
 

@@ -30,7 +30,7 @@ function paint({ paints, light }: Sheet["colours"], of: LightColour): string {
 
 /** A light's sectors, as a chart has them: their limits, and between them an arc in their colour; none where hidden. */
 export function lightSectors({ c, at, colours }: Sheet, { light, sectors }: Landmark, p: Pixel): void {
-  const seaward = (bearing: number): number => bearing + Math.PI / 2 - at.up; // of canvas, from the light and not towards it
+  const seaward = (bearing: number): number => bearing + Math.PI / 2 - at.up; // of canvas, from the light
   for (const { from, to } of sectors)
     for (const limit of [from, to]) {
       const angle = seaward(limit);
