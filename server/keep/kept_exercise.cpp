@@ -9,13 +9,11 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <system_error>
 #include <utility>
 
 namespace windlass::keep {
@@ -36,12 +34,12 @@ std::uint64_t number_of(const fs::path& file) {
     return std::strtoull(file.stem().c_str(), nullptr, 10);
 }
 
-/// What was made, renamed or removed in a folder is on the disk then.
-void sync_folder(const fs::path& folder) {
-    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    fsync(descriptor);
-    close(descriptor);
+/// Where it can be removed.
+void try_to_remove(Disk& disk, const fs::path& path) {
+    try {
+        disk.remove(path);
+    } catch (const std::system_error&) { // it stays, then
+    }
 }
 
 std::string slow(const fs::path& folder) {
@@ -51,11 +49,10 @@ std::string slow(const fs::path& folder) {
 
 } // namespace
 
-std::vector<fs::path> kept_files(const fs::path& folder) {
+std::vector<fs::path> kept_files(const fs::path& folder, Disk& disk) {
     std::vector<fs::path> files;
-    std::error_code none;
-    for (const auto& entry : fs::directory_iterator(folder, none))
-        if (entry.path().extension() == ".kept") files.push_back(entry.path());
+    for (fs::path& path : disk.list(folder))
+        if (path.extension() == ".kept") files.push_back(std::move(path));
     std::ranges::sort(files, {}, number_of);
     return files;
 }
@@ -64,19 +61,21 @@ fs::path attempts_file(const fs::path& folder) {
     return folder / "attempts";
 }
 
-void remove_kept(const fs::path& folder) {
-    std::error_code none;
-    for (const fs::path& file : kept_files(folder)) // the newest last: an earlier state is not taken up
-        fs::remove(file, none);
-    fs::remove(attempts_file(folder), none);
-    fs::remove(folder, none);
+void remove_kept(const fs::path& folder, Disk& disk) {
+    for (const fs::path& file : kept_files(folder, disk)) // the newest last: an earlier state is not taken up
+        try_to_remove(disk, file);
+    try_to_remove(disk, attempts_file(folder));
+    try_to_remove(disk, folder);
 }
 
-KeptExercise::KeptExercise(fs::path folder, std::string id, std::uint64_t definition_hash)
+KeptExercise::KeptExercise(fs::path folder, std::string id, std::uint64_t definition_hash, Disk& disk,
+                           Now now)
     : folder_(std::move(folder)),
       id_(std::move(id)),
       definition_hash_(definition_hash),
-      before_(kept_files(folder_)),
+      disk_(disk),
+      now_(std::move(now)),
+      before_(kept_files(folder_, disk_)),
       number_(before_.empty() ? 0 : number_of(before_.back())) {}
 
 // ---- the thread that ticks
@@ -114,7 +113,7 @@ void KeptExercise::look(const run::Session& session) {
         collect(session);
     const std::unique_lock lock(mutex_, std::try_to_lock); // the exercise waits for nobody who writes
     if (!lock) return;
-    const auto now = Clock::now();
+    const auto now = now_();
     if (waiting_.empty() && !reached_) waits_since_ = now;
     if (over) {
         if (!std::exchange(end_told_, true)) over_ = true;
@@ -181,7 +180,7 @@ bool KeptExercise::write_waiting() {
         if (file_ && std::exchange(news_, false)) {
             file_->write();
             const std::lock_guard lock(mutex_);
-            if (to_sync_.file == synced_.file && to_sync_.size == synced_.size) to_sync_.since = Clock::now();
+            if (to_sync_.file == synced_.file && to_sync_.size == synced_.size) to_sync_.since = now_();
             to_sync_.file = file_, to_sync_.size = file_->size();
         }
         note_synced();
@@ -210,10 +209,10 @@ void KeptExercise::write(const run::CheckpointView& checkpoint) {
         file_.reset();
     }
     other_course_ = other_course_ || (begun_ > 0 && checkpoint.run != run_);
-    fs::create_directories(folder_);
+    disk_.make_folder(folder_);
     const fs::path path = folder_ / fmt::format("{:06}.kept", ++number_);
     try {
-        auto file = std::make_shared<KeptWriter>(path);
+        auto file = std::make_shared<KeptWriter>(path, disk_);
         idl::CdrWriter beginning;
         beginning.text(wire::topics::order_taken.type);
         beginning.number(checkpoint.format);
@@ -225,8 +224,7 @@ void KeptExercise::write(const run::CheckpointView& checkpoint) {
         file->write();
         file_ = std::move(file);
     } catch (...) {
-        std::error_code none;
-        fs::remove(path, none);
+        try_to_remove(disk_, path);
         throw;
     }
     run_ = checkpoint.run;
@@ -286,10 +284,10 @@ void KeptExercise::note_synced() {
 /// what was taken up: until the exercise has come to its next checkpoint, that may be what ends the server.
 void KeptExercise::prune() {
     if (begun_ < 2) return;
-    fs::remove(attempts_file(folder_));
+    disk_.remove(attempts_file(folder_));
     const std::size_t stay = other_course_ ? 0 : 1;
     while (before_.size() > stay) {
-        fs::remove(before_.front());
+        disk_.remove(before_.front());
         before_.erase(before_.begin());
     }
     other_course_ = false;
@@ -307,7 +305,7 @@ void KeptExercise::fail(const std::string& why) {
 void KeptExercise::remove_all() {
     file_.reset();
     before_.clear();
-    remove_kept(folder_);
+    remove_kept(folder_, disk_);
     const std::lock_guard lock(mutex_);
     to_sync_ = synced_ = {};
     failure_.clear();
@@ -318,7 +316,7 @@ void KeptExercise::remove_all() {
 void KeptExercise::sync() {
     Written wanted;
     bool first = false;
-    const auto began = Clock::now();
+    const auto began = now_();
     {
         const std::lock_guard lock(mutex_);
         if (to_sync_.file == synced_.file && to_sync_.size == synced_.size) return;
@@ -328,8 +326,8 @@ void KeptExercise::sync() {
     try {
         wanted.file->sync();
         if (first) {
-            sync_folder(folder_);
-            sync_folder(folder_.parent_path());
+            disk_.sync_folder(folder_);
+            disk_.sync_folder(folder_.parent_path());
         }
         const std::lock_guard lock(mutex_);
         synced_ = wanted;

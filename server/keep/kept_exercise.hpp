@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -18,20 +19,25 @@
 namespace windlass::keep {
 
 /// Files of kept exercises in a folder, the oldest first.
-std::vector<std::filesystem::path> kept_files(const std::filesystem::path& folder);
+std::vector<std::filesystem::path> kept_files(const std::filesystem::path& folder,
+                                              Disk& disk = system_disk());
 /// Of such a folder: as many bytes as the exercise was taken up and the server lost before its next
 /// checkpoint.
 std::filesystem::path attempts_file(const std::filesystem::path& folder);
 /// Removes what is kept in the folder, and the folder.
-void remove_kept(const std::filesystem::path& folder);
+void remove_kept(const std::filesystem::path& folder, Disk& disk = system_disk());
 
 /// Takes what is new of a session from the thread that ticks, which never waits for it; writes it on a second
 /// thread, and waits for the disk on a third.
 class KeptExercise {
 public:
+    using Clock = std::chrono::steady_clock;
+    using Now = std::function<Clock::time_point()>; ///< what time it is
+
     /// folder: of this exercise alone; made when something is written. definition_hash: of the definition
     /// that the exercise was opened with.
-    KeptExercise(std::filesystem::path folder, std::string id, std::uint64_t definition_hash);
+    KeptExercise(std::filesystem::path folder, std::string id, std::uint64_t definition_hash,
+                 Disk& disk = system_disk(), Now now = Clock::now);
 
     // Of the thread that ticks.
 
@@ -53,7 +59,6 @@ public:
     void sync();
 
 private:
-    using Clock = std::chrono::steady_clock;
     using News = std::variant<run::OrderView, run::CheckpointView>;
     /// How far the exercise has come.
     struct Reached {
@@ -77,6 +82,8 @@ private:
     const std::filesystem::path folder_;
     const std::string id_;
     const std::uint64_t definition_hash_;
+    Disk& disk_;
+    const Now now_;
 
     // Of the thread that ticks
     std::vector<News> pending_;

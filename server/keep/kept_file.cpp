@@ -1,13 +1,9 @@
 #include "server/keep/kept_file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cstring>
 #include <optional>
 #include <system_error>
@@ -41,34 +37,24 @@ std::uint32_t checksum(Bytes kind_and_payload) {
     return static_cast<std::uint32_t>(crc32_z(0, kind_and_payload.data(), kind_and_payload.size()));
 }
 
-std::string why(int error) {
-    return std::generic_category().message(error);
+[[noreturn]] void fail(const std::filesystem::path& path, const char* what, const std::system_error& error) {
+    throw KeptError(path.string() + ": cannot " + what + ": " + error.code().message());
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
-    const int error = errno;
-    throw KeptError(path.string() + ": cannot " + what + ": " + why(error));
-}
-
-std::vector<std::uint8_t> read_file(const std::filesystem::path& path) {
-    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) fail(path, "be read");
-    struct stat status {};
-    std::vector<std::uint8_t> bytes;
-    int error = fstat(descriptor, &status) == 0 ? 0 : errno;
-    bytes.resize(static_cast<std::size_t>(status.st_size));
-    std::size_t done = 0;
-    while (error == 0 && done < bytes.size()) {
-        const ssize_t got = read(descriptor, bytes.data() + done, bytes.size() - done);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) error = errno;
-        if (got <= 0) break;
-        done += static_cast<std::size_t>(got);
+std::unique_ptr<DiskFile> make_file(Disk& disk, const std::filesystem::path& path) {
+    try {
+        return disk.make(path);
+    } catch (const std::system_error& error) {
+        fail(path, "make this file", error);
     }
-    close(descriptor);
-    if (error != 0) throw KeptError(path.string() + ": cannot be read: " + why(error));
-    bytes.resize(done);
-    return bytes;
+}
+
+std::vector<std::uint8_t> read_file(Disk& disk, const std::filesystem::path& path) {
+    try {
+        return disk.read(path);
+    } catch (const std::system_error& error) {
+        fail(path, "be read", error);
+    }
 }
 
 /// The record at that byte; nothing: no whole one begins there.
@@ -100,15 +86,11 @@ std::uint64_t synced_behind(Bytes bytes, std::size_t from) {
 
 } // namespace
 
-KeptWriter::KeptWriter(std::filesystem::path path) : path_(std::move(path)) {
-    descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
-    if (descriptor_ < 0) fail(path_, "make this file");
+KeptWriter::KeptWriter(std::filesystem::path path, Disk& disk)
+    : path_(std::move(path)), file_(make_file(disk, path_)) {
+    waiting_.reserve(kBegin);
     waiting_.assign(kMark.begin(), kMark.end());
     put(waiting_, kKeptFormat);
-}
-
-KeptWriter::~KeptWriter() {
-    close(descriptor_);
 }
 
 void KeptWriter::add(Record kind, Bytes payload) {
@@ -124,28 +106,31 @@ void KeptWriter::add(Record kind, Bytes payload) {
 void KeptWriter::write() {
     const std::uint64_t whole = size_;
     std::size_t done = 0;
-    while (done < waiting_.size()) {
-        const ssize_t written = ::write(descriptor_, waiting_.data() + done, waiting_.size() - done);
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) {
-            const int error = errno;
-            waiting_.clear();
-            if (ftruncate(descriptor_, static_cast<off_t>(whole)) != 0)
-                fail(path_, "cut off what was half written");
-            errno = error;
-            fail(path_, "write");
+    try {
+        while (done < waiting_.size())
+            done += file_->append(Bytes(waiting_).subspan(done));
+    } catch (const std::system_error& error) {
+        waiting_.clear();
+        try {
+            file_->cut(whole);
+        } catch (const std::system_error& uncut) {
+            fail(path_, "cut off what was half written", uncut);
         }
-        done += static_cast<std::size_t>(written);
+        fail(path_, "write", error);
     }
     size_ = whole + done;
     waiting_.clear();
 }
 
 void KeptWriter::sync() const {
-    if (fdatasync(descriptor_) != 0) fail(path_, "write to the disk");
+    try {
+        file_->sync();
+    } catch (const std::system_error& error) {
+        fail(path_, "write to the disk", error);
+    }
 }
 
-KeptContents::KeptContents(const std::filesystem::path& path) : bytes_(read_file(path)) {
+KeptContents::KeptContents(const std::filesystem::path& path, Disk& disk) : bytes_(read_file(disk, path)) {
     const Bytes bytes(bytes_);
     if (bytes.size() < kBegin) { // killed before its first word was whole
         cut_off_ = bytes.size();

@@ -6,9 +6,11 @@
 // kind and payload, u8 kind, payload. Payloads are the wire's (CDR) and are opened by who keeps and takes up;
 // here only `synced` is looked into: u64, up to which byte the file is known to be on the disk.
 
+#include "server/keep/disk.hpp"
+
 #include <cstdint>
 #include <filesystem>
-#include <span>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -31,16 +33,11 @@ enum class Record : std::uint8_t {
     synced         ///< everything up to that byte is on the disk
 };
 
-using Bytes = std::span<const std::uint8_t>;
-
 /// Writes such a file. One thread at a time; sync() may run beside the rest on another.
 class KeptWriter {
 public:
     /// Makes the file, which must not be there. Throws KeptError.
-    explicit KeptWriter(std::filesystem::path path);
-    ~KeptWriter();
-    KeptWriter(const KeptWriter&) = delete;
-    KeptWriter& operator=(const KeptWriter&) = delete;
+    explicit KeptWriter(std::filesystem::path path, Disk& disk = system_disk());
 
     /// Puts a record behind those that wait.
     void add(Record kind, Bytes payload);
@@ -55,7 +52,7 @@ public:
 
 private:
     std::filesystem::path path_;
-    int descriptor_ = -1;
+    std::unique_ptr<DiskFile> file_;
     std::uint64_t size_ = 0;
     std::vector<std::uint8_t> waiting_;
 };
@@ -72,7 +69,7 @@ public:
     /// Reads the file up to the last record that is whole. What is behind it was being written when the
     /// program or the power went, and is left out, unless the disk was known to have it: then the file is
     /// damaged. Throws KeptError.
-    explicit KeptContents(const std::filesystem::path& path);
+    explicit KeptContents(const std::filesystem::path& path, Disk& disk = system_disk());
     KeptContents(const KeptContents&) = delete;
     KeptContents& operator=(const KeptContents&) = delete;
 

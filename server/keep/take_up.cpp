@@ -14,8 +14,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -27,7 +27,7 @@ namespace {
 
 using exercise::RunState;
 
-constexpr std::uintmax_t kMaxAttempts = 2;
+constexpr std::size_t kMaxAttempts = 2;
 
 /// s of exercise, that are worked again at most: a checkpoint is kept every ten, and a disk that did not take
 /// one for an hour kept nothing else either. A file that asks for more would hold up the start of the server
@@ -75,8 +75,8 @@ void check_time_scale(double scale) {
 }
 
 /// What is in the file; nothing: the server was lost before it had a whole checkpoint. Throws KeptError.
-std::optional<Kept> open_kept(const fs::path& file, const std::string& id, const TakeUp& wanted) {
-    const KeptContents contents(file);
+std::optional<Kept> open_kept(Disk& disk, const fs::path& file, const std::string& id, const TakeUp& wanted) {
+    const KeptContents contents(file, disk);
     std::optional<Kept> kept;
     try {
         for (const auto& [kind, at, payload] : contents.entries()) {
@@ -166,29 +166,34 @@ run::Course work_again(const Kept& kept, const TakeUp& wanted) {
 }
 
 /// Leaves so many places below `aside` at most, those that were put there last: each is some megabytes.
-void tidy(const fs::path& aside, std::size_t most) {
+void tidy(Disk& disk, const fs::path& aside, std::size_t most) {
     std::vector<std::pair<fs::file_time_type, fs::path>> places;
-    for (const fs::directory_entry& place : fs::directory_iterator(aside))
-        places.emplace_back(place.last_write_time(), place.path());
+    for (fs::path& place : disk.list(aside)) {
+        const auto written_at = disk.written_at(place);
+        places.emplace_back(written_at, std::move(place));
+    }
     std::ranges::sort(places, std::greater{});
     for (std::size_t k = most; k < places.size(); ++k)
-        fs::remove_all(places[k].second);
+        disk.remove_all(places[k].second);
 }
 
 /// A place below `aside` that is free: ID-1, ID-2 and so on.
-fs::path free_place(const fs::path& aside, const std::string& id) {
-    fs::create_directories(aside);
-    tidy(aside, kMaxAside - 1);
+fs::path free_place(Disk& disk, const fs::path& aside, const std::string& id) {
+    disk.make_folder(aside);
+    tidy(disk, aside, kMaxAside - 1);
     for (int number = 1;; ++number)
-        if (const fs::path place = aside / fmt::format("{}-{}", id, number); !fs::exists(place)) return place;
+        if (fs::path place = aside / fmt::format("{}-{}", id, number); !disk.exists(place)) return place;
 }
 
 /// How often the exercise was taken up since it last came to a checkpoint; this time counts from now on.
-std::uintmax_t count_attempt(const fs::path& folder) {
-    std::error_code none;
+std::size_t count_attempt(Disk& disk, const fs::path& folder) {
+    constexpr std::uint8_t kOne = '.';
     const fs::path file = attempts_file(folder);
-    const std::uintmax_t before = fs::exists(file) ? fs::file_size(file, none) : 0;
-    std::ofstream(file, std::ios::app | std::ios::binary) << '.';
+    const std::size_t before = disk.exists(file) ? disk.read(file).size() : 0;
+    try {
+        disk.append(file, {&kOne, 1});
+    } catch (const std::system_error&) { // a full disk hinders no start
+    }
     return before;
 }
 
@@ -206,20 +211,20 @@ TakenUp taken_up(const Kept& kept, const run::Course& course, const TakeUp& want
 /// The state that was kept last goes aside, and the checkpoint before it is gone on from, without the orders
 /// behind it; without one, the exercise begins from its file. files: the last can be opened. Throws
 /// KeptError.
-TakenUp set_back(std::vector<fs::path> files, const fs::path& folder, const std::string& id,
+TakenUp set_back(Disk& disk, std::vector<fs::path> files, const fs::path& folder, const std::string& id,
                  const fs::path& aside, const TakeUp& wanted) {
-    const fs::path place = free_place(aside, id);
-    fs::create_directories(place);
+    const fs::path place = free_place(disk, aside, id);
+    disk.make_folder(place);
     const auto move_newest = [&] {
-        fs::rename(files.back(), place / files.back().filename());
+        disk.rename(files.back(), place / files.back().filename());
         files.pop_back();
     };
-    const auto newest = open_kept(files.back(), id, wanted).value();
+    const auto newest = open_kept(disk, files.back(), id, wanted).value();
     const double lost_at = newest.reached.empty() ? newest.checkpoint.time() : newest.reached.back().time();
     TakenUp taken;
     for (move_newest(); !files.empty(); move_newest()) {
         try {
-            const auto kept = open_kept(files.back(), id, wanted);
+            const auto kept = open_kept(disk, files.back(), id, wanted);
             if (!kept || kept->checkpoint.time() >= lost_at)
                 continue; // where it was taken up, and lost again
             taken = taken_up(*kept, begin(*kept, wanted), wanted);
@@ -227,7 +232,7 @@ TakenUp set_back(std::vector<fs::path> files, const fs::path& folder, const std:
         } catch (const KeptError&) { // the one before, then
         }
     }
-    fs::remove(attempts_file(folder));
+    disk.remove(attempts_file(folder));
     const std::string why = fmt::format("its state at {} ended the server {} times and lies in {}",
                                         run::clock_text(lost_at), kMaxAttempts, place.string());
     taken.how.set_back = why + (taken.def ? "; it stands at the checkpoint before, paused"
@@ -236,23 +241,23 @@ TakenUp set_back(std::vector<fs::path> files, const fs::path& folder, const std:
     return taken;
 }
 
-std::optional<TakenUp> look_for(const fs::path& folder, const std::string& id, const fs::path& aside,
-                                const TakeUp& wanted) {
-    auto files = kept_files(folder);
+std::optional<TakenUp> look_for(Disk& disk, const fs::path& folder, const std::string& id,
+                                const fs::path& aside, const TakeUp& wanted) {
+    auto files = kept_files(folder, disk);
     if (files.empty()) return std::nullopt;
-    const bool once_too_often = count_attempt(folder) >= kMaxAttempts;
+    const bool once_too_often = count_attempt(disk, folder) >= kMaxAttempts;
     try {
         for (; !files.empty(); files.pop_back()) {
-            const auto kept = open_kept(files.back(), id, wanted);
-            if (kept && once_too_often) return set_back(std::move(files), folder, id, aside, wanted);
+            const auto kept = open_kept(disk, files.back(), id, wanted);
+            if (kept && once_too_often) return set_back(disk, std::move(files), folder, id, aside, wanted);
             if (kept) return taken_up(*kept, work_again(*kept, wanted), wanted);
-            fs::remove(files.back()); // lost before it was whole: the one before goes up to the same tick
+            disk.remove(files.back()); // lost before it was whole: the one before goes up to the same tick
         }
-        remove_kept(folder); // lost before anything was kept
+        remove_kept(folder, disk); // lost before anything was kept
         return std::nullopt;
     } catch (const KeptError& error) {
-        const fs::path place = free_place(aside, id);
-        fs::rename(folder, place);
+        const fs::path place = free_place(disk, aside, id);
+        disk.rename(folder, place);
         TakenUp anew;
         anew.how.refused = fmt::format("{}; the file lies in {}", error.what(), place.string());
         return anew;
@@ -262,10 +267,10 @@ std::optional<TakenUp> look_for(const fs::path& folder, const std::string& id, c
 } // namespace
 
 std::optional<TakenUp> take_up(const fs::path& folder, const std::string& id, const fs::path& aside,
-                               const TakeUp& wanted) {
+                               const TakeUp& wanted, Disk& disk) {
     try {
-        return look_for(folder, id, aside, wanted);
-    } catch (const fs::filesystem_error& error) { // of what is kept no more can be had, nor moved aside
+        return look_for(disk, folder, id, aside, wanted);
+    } catch (const std::system_error& error) { // of what is kept no more can be had, nor moved aside
         TakenUp anew;
         anew.how.refused = error.what();
         return anew;

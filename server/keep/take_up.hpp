@@ -2,6 +2,7 @@
 // What was kept of an exercise when its server was lost, worked again up to the tick at which it stopped.
 
 #include "server/exercise/definition/exercise_def.hpp"
+#include "server/keep/disk.hpp"
 #include "server/run/resumption.hpp"
 
 #include <filesystem>
@@ -34,6 +35,7 @@ inline constexpr std::size_t kMaxAside = 50;
 /// Counts as an attempt, until KeptExercise has written the next checkpoint: after two the state that was
 /// kept last goes aside, and the checkpoint before it is gone on from. Nothing: nothing is kept.
 std::optional<TakenUp> take_up(const std::filesystem::path& folder, const std::string& id,
-                               const std::filesystem::path& aside, const TakeUp& wanted);
+                               const std::filesystem::path& aside, const TakeUp& wanted,
+                               Disk& disk = system_disk());
 
 } // namespace windlass::keep
