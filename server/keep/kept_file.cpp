@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -136,15 +137,16 @@ KeptContents::KeptContents(const std::filesystem::path& path, Disk& disk) : byte
         cut_off_ = bytes.size();
         return;
     }
-    if (!std::equal(kMark.begin(), kMark.end(), bytes.begin()))
+    const bool blank = std::ranges::all_of(bytes.first(kBegin), [](auto byte) { return byte == 0; });
+    if (!blank && !std::equal(kMark.begin(), kMark.end(), bytes.begin()))
         throw KeptError(path.string() +
                         ": not a file of kept exercises: it begins with other bytes than WLKEPT");
-    if (const auto format = number_at<std::uint16_t>(bytes, kMark.size()); format != kKeptFormat)
+    if (const auto format = number_at<std::uint16_t>(bytes, kMark.size()); !blank && format != kKeptFormat)
         throw KeptError(path.string() + ": format " + std::to_string(format) +
                         " is not allowed: this version of the server keeps in format " +
                         std::to_string(kKeptFormat));
-    std::size_t at = kBegin;
-    while (at < bytes.size()) {
+    std::size_t at = blank ? 0 : kBegin; // blank: the power went before its first words came to the disk
+    while (!blank && at < bytes.size()) {
         const auto record = record_at(bytes, at);
         if (!record) break;
         entries_.push_back(*record);

@@ -89,6 +89,17 @@ TEST_F(KeptFile, EndThatIsAllZeroIsCutOff) {
     EXPECT_EQ(KeptContents(path_).cut_off(), 5000U);
 }
 
+// And nothing at its beginning, where the power went within a second of its first word.
+TEST_F(KeptFile, BeginningThatIsAllZeroHoldsNothingUnlessTheDiskHadIt) {
+    put(path_, std::string(5000, '\0'));
+    EXPECT_EQ(orders(), 0U);
+    EXPECT_EQ(KeptContents(path_).cut_off(), 5000U);
+    put(path_, std::string(synced_, '\0') + whole_.substr(synced_));
+    EXPECT_THAT(
+        [&] { const KeptContents contents(path_); },
+        testing::Throws<KeptError>(Property(&KeptError::what, HasSubstr("damaged: the record at byte 0"))));
+}
+
 TEST_F(KeptFile, WrongByteThatTheDiskHadIsDamageAndNamesTheFile) {
     for (std::size_t at = 0; at < synced_; ++at) {
         std::string wrong = whole_;
