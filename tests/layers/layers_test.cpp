@@ -144,6 +144,10 @@ const std::vector<Room>& rooms() {
          {"common", "door/cmi5", "idl", "instructor_console", "instructor_console/history",
           "recorder/debrief", "station", "station/gateway"}},
         {"rigs", {"windlass::rigs"}, {"common", "server/config", exercise + "...", physics + "..."}},
+        {"sim",
+         {"windlass::sim"},
+         {"server/config", "server/dds", "server/exercise", "server/exercise/definition", "server/host",
+          "server/keep", "server/run", "words"}},
         {"bench/problem", {"windlass::lab"}, {physics + "..."}},
         {"bench/methods", {"windlass::lab"}, {"bench/problem", physics + "..."}},
         {"bench/lab/draw", {"windlass::lab"}, {}},
@@ -183,7 +187,7 @@ std::vector<std::string> sources() {
     const fs::path root = WINDLASS_SOURCE_DIR;
     std::vector<std::string> files;
     for (const char* top : {"common", "words", "idl", "server", "station", "trainee_client", "lesson",
-                            "instructor_console", "door", "recorder", "rigs", "bench", "tests"}) {
+                            "instructor_console", "door", "recorder", "rigs", "sim", "bench", "tests"}) {
         for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
             const std::string kind = entry.path().extension();
             if (kind == ".cpp" || kind == ".hpp")

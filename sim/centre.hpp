@@ -1,0 +1,48 @@
+#pragma once
+// A centre in one process: the server's own session, mailbox, pacer and keeping, on a simulated clock,
+// network and disk, worked by scripted stations, lost and started again, and checked after each tick.
+
+#include "server/exercise/definition/exercise_def.hpp"
+#include "sim/world.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace windlass::sim {
+
+/// What somebody does to the centre so that a check must fail: tests that the checks can.
+enum class Sabotage {
+    none,
+    last_record_lost, ///< of the newest file, at each restart
+    order_altered,    ///< one, between the session and what is told of it
+    ghost_hand,       ///< an order in the name of a station that did not give it
+    event_lost,
+    alert_untold, ///< a disk that refuses, and nobody is told
+    chance        ///< from outside the seed
+};
+
+struct Plan {
+    std::uint64_t seed = 1;
+    double minutes = 1; ///< of exercise, of all servers one after the other
+    exercise::ExerciseDef def{};
+    Sabotage sabotage = Sabotage::none;
+    World::Story story{}; ///< hears what is drawn; may be empty
+};
+
+struct Outcome {
+    std::uint64_t ticks = 0; ///< of exercise
+    double simulated = 0;    ///< s, of the world
+    std::uint64_t kills = 0, power_cuts = 0, taken_up = 0, set_back = 0, anew = 0, rotten = 0;
+    std::uint64_t digest = 0; ///< of all that was told
+    struct Failed {
+        Failure what;
+        std::uint64_t tick = 0;
+        double at = 0; ///< s, of the world
+    };
+    std::optional<Failed> failed;
+};
+
+/// Runs the centre of that seed, until it has come so far or a check fails.
+Outcome run(const Plan& plan);
+
+} // namespace windlass::sim

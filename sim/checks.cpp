@@ -1,0 +1,494 @@
+#include "sim/checks.hpp"
+
+#include "server/exercise/checkpoint.hpp"
+#include "words/words.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+namespace windlass::sim {
+
+namespace {
+
+using exercise::RunState;
+using run::AlertCondition;
+
+constexpr std::uint64_t kMarkEvery = 30; // ticks
+
+std::array<double, 5> values_of(const exercise::Order& order) {
+    if (const auto* windlass = std::get_if<exercise::WindlassOrder>(&order))
+        return {windlass->brake, windlass->speed_lever, windlass->clutch_in ? 1.0 : 0.0,
+                windlass->stopper_closed ? 1.0 : 0.0, windlass->emergency_stop ? 1.0 : 0.0};
+    const auto& helm = std::get<exercise::HelmOrder>(order);
+    return {helm.engine, helm.rudder, helm.bow_thruster, helm.stern_thruster, 0};
+}
+
+std::array<double, 5> values_of(const dds::Mailbox::Sample& sample) {
+    if (const auto* windlass = std::get_if<WindlassCommand>(&sample))
+        return {windlass->brake(), windlass->speed_lever(), windlass->clutch_in() ? 1.0 : 0.0,
+                windlass->stopper_closed() ? 1.0 : 0.0, windlass->emergency_stop() ? 1.0 : 0.0};
+    const auto& helm = std::get<HelmCommand>(sample);
+    return {helm.engine(), helm.rudder(), helm.bow_thruster(), helm.stern_thruster(), 0};
+}
+
+/// 0 port, 1 starboard, 2 helm; -1: no levers.
+int group_of(const exercise::Order& order) {
+    const auto group = run::LeverOwnership::levers_of(order);
+    return group ? static_cast<int>(*group) : -1;
+}
+
+int group_of(const dds::Mailbox::Sample& sample) {
+    if (const auto* windlass = std::get_if<WindlassCommand>(&sample)) return windlass->side();
+    return std::holds_alternative<HelmCommand>(sample) ? 2 : -1;
+}
+
+std::string source_of(const dds::Mailbox::Sample& sample) {
+    return std::visit([](const auto& one) { return one.origin().source().to_string(); }, sample);
+}
+
+std::string text(const Checks::Place& place) {
+    return fmt::format("tick {} with {} orders", place.tick, place.orders);
+}
+
+bool before(const Checks::Place& one, const Checks::Place& other) {
+    return one.tick < other.tick || one.orders < other.orders;
+}
+
+std::uint64_t hash_at_the_beginning(const exercise::ExerciseDef& def) {
+    return run::Course(exercise::Exercise(def), {}, 0).state_hash();
+}
+
+std::uint64_t assessment_of(const assess::Assessor& assessor) {
+    return assessor.assesses() ? assessor.result().assessment_hash : 0;
+}
+
+} // namespace
+
+void Checks::fail(std::string check, std::string expected, std::string found) const {
+    throw Failure{std::move(check), std::move(expected), std::move(found)};
+}
+
+void Checks::add(std::uint64_t number) {
+    for (int k = 0; k < 8; ++k)
+        digest_ = (digest_ ^ ((number >> (8 * k)) & 0xff)) * 1099511628211ULL;
+}
+
+void Checks::add(const std::string& said) {
+    for (const char c : said)
+        digest_ = (digest_ ^ static_cast<std::uint8_t>(c)) * 1099511628211ULL;
+}
+
+// ---- the course, and the undisturbed one
+
+/// The course begins at its definition.
+void Checks::begin_line(const run::Session& session) {
+    Line anew;
+    anew.number = ++line_number_;
+    anew.def = std::make_shared<const exercise::ExerciseDef>(session.def());
+    // Its chance was drawn as it was set up, and stands in its checkpoint alone.
+    const run::CheckpointView* checkpoint = session.checkpoint();
+    if (checkpoint != nullptr && checkpoint->tick == 0 && checkpoint->orders_taken == 0) {
+        assess::Assessor assessor;
+        exercise::read_checkpoint(checkpoint->data, {}, &assessor);
+        anew.assessor = std::move(assessor);
+    }
+    lines_.push_back(std::move(anew));
+    run_base_ = 0;
+}
+
+/// One tick after the other, each order at its tick, and each mark held against it.
+void Checks::go_through(Line& line, std::uint64_t tick, std::size_t orders) {
+    const auto past = [&] {
+        return undisturbed_->course.exercise().tick() > tick || undisturbed_->orders > orders;
+    };
+    if (!undisturbed_ || undisturbed_->line != line.number || past())
+        undisturbed_.emplace(Undisturbed{
+            .line = line.number,
+            .course = {exercise::Exercise(*line.def), line.assessor.value_or(assess::Assessor()), 0}});
+    Undisturbed& at = *undisturbed_;
+    for (;;) {
+        hold_against(line);
+        const std::uint64_t now = at.course.exercise().tick();
+        if (at.orders < orders && line.orders[at.orders].tick <= now) {
+            at.course.take(line.orders[at.orders++]);
+        } else if (now >= tick) {
+            return;
+        } else if (!at.course.step()) {
+            fail("state", "finite", fmt::format("not finite at tick {}", now));
+        }
+    }
+}
+
+void Checks::hold_against(Line& line) {
+    Undisturbed& at = *undisturbed_;
+    const std::uint64_t tick = at.course.exercise().tick();
+    while (at.marks < line.marks.size()) {
+        const Line::Mark& mark = line.marks[at.marks];
+        if (mark.tick > tick || (mark.tick == tick && mark.orders > at.orders)) return;
+        ++at.marks;
+        if (mark.tick < tick || mark.orders < at.orders) continue; // gone through already
+        if (const std::uint64_t hash = at.course.state_hash(); hash != mark.hash)
+            fail("state",
+                 fmt::format("{:016x} at tick {}, of {} orders undisturbed", hash, tick, mark.orders),
+                 fmt::format("{:016x}", mark.hash));
+        if (!line.assessor) continue;
+        if (const std::uint64_t hash = assessment_of(at.course.assessor()); hash != mark.assessment)
+            fail("marks", fmt::format("{:016x} at tick {}, undisturbed", hash, tick),
+                 fmt::format("{:016x}", mark.assessment));
+    }
+}
+
+/// The line is left at that tick, with as many of its orders as make that state; false: no number does.
+bool Checks::go_on_from(Line& line, std::uint64_t tick, std::uint64_t hash) {
+    const auto number = [&](auto order) { return static_cast<std::size_t>(order - line.orders.begin()); };
+    const std::size_t least = number(std::ranges::lower_bound(line.orders, tick, {}, &run::OrderView::tick));
+    const std::size_t most = number(std::ranges::upper_bound(line.orders, tick, {}, &run::OrderView::tick));
+    std::optional<std::size_t> found;
+    for (std::size_t orders = least; orders <= most; ++orders) {
+        go_through(line, tick, orders);
+        if (undisturbed_->course.exercise().tick() == tick && undisturbed_->course.state_hash() == hash)
+            found = orders; // the last of them, where levers were moved and moved back
+    }
+    if (!found) return false;
+    line.orders.resize(*found);
+    std::erase_if(line.marks,
+                  [&](const Line::Mark& mark) { return mark.tick > tick || mark.orders > *found; });
+    if (undisturbed_->orders > *found)
+        undisturbed_.reset();
+    else
+        undisturbed_->marks = std::min(undisturbed_->marks, line.marks.size());
+    return true;
+}
+
+void Checks::begins(const run::Session& session, const Beginning& how) {
+    run_ = session.status().run;
+    event_ = 0;
+    alerts_.clear();
+    heard_.clear(), left_.clear(), taken_ = 0;
+    levers_ = {};
+    listened_ = 0, listened_at_ = 0, ran_ = false;
+    tick_ = session.now_tick();
+    const auto promise = promised(how.lost_by);
+    if (!how.taken_up) {
+        const bool excused = how.first || how.rotten || !how.set_back.empty();
+        if (!how.refused.empty() && how.set_back.empty() && !how.rotten)
+            fail("kept", "what was kept is taken up", "refused: " + how.refused);
+        if (!excused && promise)
+            fail("kept", "taken up at " + text(*promise) + " or later", "begins anew: nothing was kept");
+        for (Line& left : lines_) // until the disk has the new one, the power may bring them back
+            left.handed_over.reset(), left.on_disk.reset();
+        begin_line(session);
+        branch(session, tick_);
+        return;
+    }
+    const std::uint64_t hash = session.snapshot().state_hash;
+    world_.tell(fmt::format("taken up at tick {}, promised {}", tick_, promise ? text(*promise) : "nothing"));
+    for (const Line& one : lines_)
+        world_.tell(fmt::format("  line {}: {} orders{}{}{}", one.number, one.orders.size(),
+                                one.handed_over ? ", handed over " + text(*one.handed_over) : "",
+                                one.on_disk ? ", on the disk " + text(*one.on_disk) : "",
+                                one.ended ? ", ended" : ""));
+    if (!how.set_back.empty() && how.attempts < 2)
+        fail("kept", "taken up where it stopped",
+             "set back after " + std::to_string(how.attempts) + " losses: " + how.set_back);
+    if (!how.set_back.empty()) { // until the disk has that, the power may bring the line back
+        line().on_disk.reset(), line().handed_over.reset();
+        leave_line();
+    }
+    while (!go_on_from(line(), tick_, hash)) {
+        lines_.pop_back();
+        if (lines_.empty())
+            fail("state",
+                 fmt::format("that of the undisturbed course at tick {}, with orders that were taken", tick_),
+                 fmt::format("{:016x}, which is of none", hash));
+    }
+    const Place here = place();
+    if (promise && how.set_back.empty() && !how.rotten &&
+        (promise->line > here.line || (promise->line == here.line && before(here, *promise))))
+        fail("kept", "taken up at " + text(*promise) + " or later", "taken up at " + text(here));
+    if (how.set_back.empty()) { // what was read is there, and there again
+        line().handed_over = here;
+        if (how.lost_by == Loss::power_cut) line().on_disk = here;
+    }
+    line().ended = false;
+    branch(session, tick_);
+}
+
+/// A course goes on beside the line, from somewhere on it; a server that is lost may come back to the line.
+void Checks::leave_line() {
+    Line beside = line();
+    beside.number = ++line_number_;
+    beside.handed_over.reset(), beside.on_disk.reset();
+    beside.ended = false;
+    lines_.push_back(std::move(beside));
+    if (undisturbed_) undisturbed_->line = line_number_;
+}
+
+/// The run that begins goes on from the end of the line.
+void Checks::branch(const run::Session& session, std::uint64_t tick) {
+    run_base_ = line().orders.size();
+    go_through(line(), tick, run_base_);
+    const exercise::Exercise& now = undisturbed_->course.exercise();
+    for (const auto& tackle : session.def().tackle)
+        levers_.at(static_cast<std::size_t>(tackle.side)).at =
+            values_of(exercise::Order(now.levers(tackle.side)));
+    levers_[2].at = values_of(exercise::Order(now.helm()));
+}
+
+std::optional<Checks::Place> Checks::promised(Loss how) const {
+    for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) {
+        if (line->ended) return std::nullopt;
+        const auto& promise = how == Loss::killed ? line->handed_over : line->on_disk;
+        if (promise) return promise;
+    }
+    return std::nullopt;
+}
+
+Checks::Place Checks::place() const {
+    return {.line = lines_.back().number, .tick = tick_, .orders = lines_.back().orders.size()};
+}
+
+void Checks::handed_over(const Place& place) {
+    for (Line& one : lines_)
+        if (one.number == place.line) one.handed_over = place;
+}
+
+void Checks::on_disk(const Place& place) {
+    for (Line& one : lines_)
+        if (one.number == place.line) one.on_disk = place;
+    // Of what was left before that course began, nothing comes back.
+    while (lines_.front().number < place.line)
+        lines_.pop_front();
+}
+
+void Checks::end() {
+    go_through(line(), tick_, line().orders.size());
+    hold_against(line());
+}
+
+std::vector<run::AlertView> Checks::open_alerts() const {
+    std::vector<run::AlertView> open;
+    for (const auto& [which, condition] : alerts_) {
+        if (condition == AlertCondition::normal) continue;
+        run::AlertView& alert = open.emplace_back();
+        alert.code = which.first;
+        alert.side = which.second;
+    }
+    return open;
+}
+
+// ---- each tick
+
+void Checks::hears(const Sent& sent) {
+    if (group_of(sent.sample) >= 0) heard_.push_back(sent);
+}
+
+void Checks::leaves(const wire::WriterId& writer) {
+    left_.push_back(writer);
+}
+
+void Checks::forget_hands() {
+    for (Levers& levers : levers_) {
+        levers.source.clear();
+        levers.instructor = false;
+        levers.lay_there = !levers.hand.empty();
+        levers.lay_since = levers.moved;
+    }
+}
+
+void Checks::look(const run::Session& session, const run::Inbox& inbox, double now,
+                  const std::string& trouble) {
+    seen_ += session.now_tick() != tick_ ? 1 : 0;
+    tick_ = session.now_tick();
+    listened_ += std::clamp(now - listened_at_, 0.0, 0.1);
+    listened_at_ = now;
+    if (inbox.orders.size() + inbox.refusals.size() > 1024 + 32)
+        fail("memory", "1024 samples a tick at most", std::to_string(inbox.orders.size()));
+    look_at_orders(session);
+    for (Levers& levers : levers_) // behind what they sent
+        if (std::ranges::find(left_, levers.writer) != left_.end()) levers.instructor = false;
+    left_.clear();
+    look_at_events(session);
+    look_at_alerts(session, trouble);
+    look_for_silence(session);
+    if (session.seen() && (tick_ % kMarkEvery == 0 || session.checkpoint() != nullptr) &&
+        session.status().state != RunState::stopped_by_fault && !lines_.back().ended) {
+        if (session.status().orders_taken + run_base_ == line().orders.size())
+            line().marks.push_back({.tick = tick_,
+                                    .orders = line().orders.size(),
+                                    .hash = session.snapshot().state_hash,
+                                    .assessment = assessment_of(session.assessor())});
+        add(session.snapshot().state_hash);
+    }
+    if (session.status().state == RunState::finished || session.status().state == RunState::stopped_by_fault)
+        line().ended = true;
+    heard_.clear(), taken_ = 0;
+}
+
+void Checks::look_at_orders(const run::Session& session) {
+    const auto begin_run = [&] {
+        run_ = session.status().run;
+        forget_hands();
+        world_.tell(fmt::format("run {} begins at tick {}", run_, session.now_tick()));
+        const run::CheckpointView* base = session.checkpoint();
+        if (base == nullptr || base->run != run_)
+            fail("kept", "a checkpoint at the beginning of each run", "none");
+        if (base->tick == 0 && base->state_hash == hash_at_the_beginning(session.def())) {
+            begin_line(session);
+        } else { // restored
+            leave_line();
+            if (!go_on_from(line(), base->tick, base->state_hash))
+                fail("state", fmt::format("that of the undisturbed course at tick {}", base->tick),
+                     fmt::format("{:016x} after a restore", base->state_hash));
+        }
+        branch(session, base->tick);
+    };
+    for (const run::OrderView& order : session.orders()) {
+        if (order.run != run_ && order.run == session.status().run) begin_run();
+        if (order.run > run_) continue; // of a run that another one followed in the same tick
+        if (order.run != run_)
+            fail("orders", fmt::format("of run {}", run_), fmt::format("of run {}", order.run));
+        if (order.number != line().orders.size() - run_base_ + 1)
+            fail("orders", fmt::format("number {}", line().orders.size() - run_base_ + 1),
+                 fmt::format("number {}", order.number));
+        look_at_levers(order, world_.now());
+        line().orders.push_back(order);
+        if (auto* levers = std::get_if<exercise::WindlassOrder>(&line().orders.back().command);
+            levers && sabotage_order)
+            levers->brake = 1 - levers->brake, sabotage_order = false;
+        add(order.tick), add(order.source);
+    }
+    if (session.status().run != run_) begin_run();
+}
+
+/// Whose order it is, and whether a hand moved what moves.
+void Checks::look_at_levers(const run::OrderView& order, double) {
+    const int group = group_of(order.command);
+    if (group < 0) return;
+    Levers& levers = levers_.at(static_cast<std::size_t>(group));
+    const auto ordered = values_of(order.command);
+    const char* const name = run::name(static_cast<run::LeverGroup>(group));
+    if (order.source == run::kServerName) { // leaves a windlass as its hand did
+        auto left = levers.at;
+        left[1] = 0;
+        if (ordered != left) fail("levers", "the server moves no lever but the speed lever, to zero", name);
+        levers.at = ordered;
+        levers.source.clear();
+        return;
+    }
+    // Taken in the order in which they came; some of them were refused.
+    const auto sent = std::find_if(heard_.begin() + taken_, heard_.end(), [&](const Sent& one) {
+        if (group_of(one.sample) != group || source_of(one.sample) != order.source) return false;
+        const auto values = values_of(one.sample);
+        for (std::size_t k = 0; k < values.size(); ++k)
+            if (ordered[k] != values[k] && ordered[k] != levers.at[k] && !(k == 1 && ordered[k] == 0))
+                return false;
+        return true;
+    });
+    if (sent == heard_.end())
+        fail("levers", fmt::format("an order to the {} that {} sent", name, order.source),
+             "one that nobody sent since the last tick");
+    taken_ = sent - heard_.begin() + 1;
+    if (levers.instructor && !sent->instructor && listened_ - levers.heard <= kHandSilent)
+        fail("levers", fmt::format("the instructor has the {}", name), order.source + " is heard");
+    // A hand that lay there as the run began moves a lever by moving it behind its last word that was heard
+    // before, or, where it had not been heard, behind its first in this run: a word on its way is heard late.
+    if (levers.hand != order.source) {
+        levers.hand = order.source;
+        levers.lay_there = sent->moved_in_run != 0 && sent->moved_in_run != run_;
+        levers.lay_since = sent->moved_at;
+    }
+    for (std::size_t k = 0; k < ordered.size(); ++k) {
+        if (ordered[k] == levers.at[k] || (group < 2 && k == 1 && ordered[k] == 0)) continue;
+        if (levers.lay_there && sent->moved_at[k] <= levers.lay_since[k])
+            fail("levers",
+                 fmt::format("lever {} of the {} stays at {:g} until its hand moves it", k, name,
+                             levers.at[k]),
+                 fmt::format("at {:g}, which {} moved {:.2f} s before", ordered[k], order.source,
+                             world_.now() - sent->moved_at[k]));
+    }
+    levers.moved = sent->moved_at;
+    levers.at = ordered;
+    levers.source = order.source;
+    levers.instructor = sent->instructor;
+    levers.writer = sent->writer;
+    levers.heard = listened_;
+}
+
+/// A speed lever that is not at zero has a hand, or had one until a moment ago.
+void Checks::look_for_silence(const run::Session& session) {
+    constexpr double kLongest = kHandSilent + 0.2 + 0.15; // s
+    if (!session.running()) {
+        ran_ = false;
+        return;
+    }
+    if (!std::exchange(ran_, true)) ran_since_ = listened_;
+    for (const auto& tackle : session.def().tackle) {
+        const Levers& levers = levers_.at(static_cast<std::size_t>(tackle.side));
+        const double silent = listened_ - std::max(levers.heard, ran_since_);
+        if (levers.at[1] != 0 && silent > kLongest)
+            fail("levers", fmt::format("speed lever at zero after {:g} s of silence", kLongest),
+                 fmt::format("at {:g} after {:.2f} s", levers.at[1], silent));
+    }
+}
+
+void Checks::look_at_events(const run::Session& session) {
+    for (const auto& event : session.events()) {
+        const bool anew = event.number == 1 && event.tick == 0; // set up
+        if (event.number != event_ + 1 && !anew)
+            fail("events", fmt::format("event {} once, behind event {}", event_ + 1, event_),
+                 fmt::format("event {}, {}", event.number, event.code));
+        event_ = event.number;
+        add(event.tick), add(event.code), add(event.text);
+    }
+}
+
+void Checks::look_at_alerts(const run::Session& session, const std::string& trouble) {
+    using enum AlertCondition;
+    const auto condition = [&](const std::string& code, int side) {
+        const auto known = alerts_.find({code, side});
+        return known == alerts_.end() ? normal : known->second;
+    };
+    const auto active = [&](const std::string& code, int side) {
+        const auto now = condition(code, side);
+        return now == active_unacknowledged || now == active_silenced || now == active_acknowledged;
+    };
+    for (const run::AlertView& alert : session.alerts()) {
+        const AlertCondition was = condition(alert.code, alert.side);
+        const auto from = [&](std::initializer_list<AlertCondition> allowed) {
+            return std::ranges::find(allowed, was) != allowed.end();
+        };
+        const bool may = alert.condition == active_unacknowledged
+                             ? from({normal, rectified_unacknowledged, active_silenced})
+                         : alert.condition == active_silenced ? from({active_unacknowledged})
+                         : alert.condition == active_acknowledged
+                             ? from({active_unacknowledged, active_silenced})
+                         : alert.condition == rectified_unacknowledged
+                             ? from({active_unacknowledged, active_silenced})
+                             : from({active_acknowledged, rectified_unacknowledged});
+        if (!may)
+            fail("alerts", fmt::format("{} of side {} is told once", alert.code, alert.side),
+                 fmt::format("condition {} again, after {}", static_cast<int>(alert.condition),
+                             static_cast<int>(was)));
+        alerts_[{alert.code, alert.side}] = alert.condition;
+        add(alert.tick), add(alert.code), add(static_cast<std::uint64_t>(alert.condition));
+    }
+    const auto must = [&](const char* code, int side, bool there) {
+        if (active(code, side) != there)
+            fail("alerts", fmt::format("{} of side {}: {}", code, side, there ? "active" : "not active"),
+                 fmt::format("condition {}", static_cast<int>(condition(code, side))));
+    };
+    must("exercise.not_kept", -1, !trouble.empty());
+    if (!session.running() || !session.seen()) return;
+    const exercise::Snapshot& seen = session.snapshot();
+    must("watch.circle", -1, seen.outside_watch_circle);
+    must("model.in_doubt", -1, seen.model_in_doubt);
+    for (const auto& tackle : seen.tackle)
+        if (tackle.windlass.cable_speed > words::limits::cable_runaway ||
+            tackle.windlass.cable_speed < words::limits::cable_fast)
+            must("cable.runaway", static_cast<int>(tackle.side),
+                 tackle.windlass.cable_speed > words::limits::cable_runaway);
+}
+
+} // namespace windlass::sim

@@ -1,0 +1,128 @@
+#pragma once
+// What must hold of a centre, whatever happens to it. Looks on as a recorder does, by what is told of each
+// tick, and goes through it again undisturbed. What does not hold is thrown as a Failure.
+
+#include "server/run/course.hpp"
+#include "server/run/session.hpp"
+#include "sim/network.hpp"
+
+#include <list>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace windlass::sim {
+
+/// How a server begins.
+struct Beginning {
+    Loss lost_by = Loss::killed;       ///< what the server before it was lost by
+    bool first = false;                ///< there was none
+    bool taken_up = false;             ///< the exercise stands where it stood, as it says
+    std::string refused{}, set_back{}; ///< as in run::Resumption
+    std::size_t attempts = 0;          ///< that were counted before
+    bool rotten = false;               ///< the disk is broken, or a byte was changed that it had
+};
+
+class Checks {
+public:
+    explicit Checks(const World& world) : world_(world) {}
+
+    /// A server has begun, and has not ticked yet.
+    void begins(const run::Session& session, const Beginning& how);
+    /// A sample is in the mailbox.
+    void hears(const Sent& sent);
+    void leaves(const wire::WriterId& writer);
+    /// The orders of a tick have been taken and it was run, or the exercise stands still; before the news are
+    /// cleared. now: s, as the session was told.
+    void look(const run::Session& session, const run::Inbox& inbox, double now, const std::string& trouble);
+
+    /// What was looked at last is with the system, or with the disk.
+    struct Place {
+        std::uint64_t line = 0, tick = 0;
+        std::size_t orders = 0;
+    };
+    Place place() const;
+    void handed_over(const Place& place);
+    void on_disk(const Place& place);
+
+    /// All that was not gone through undisturbed yet.
+    void end();
+
+    std::uint64_t tick() const { return tick_; } ///< looked at last
+    std::uint64_t seen() const { return seen_; } ///< ticks, of all servers
+    std::uint64_t digest() const { return digest_; }
+    std::optional<Place> promised(Loss how) const;
+    std::vector<run::AlertView> open_alerts() const;
+
+    bool sabotage_order = false; ///< the next order is not the one that was taken
+
+private:
+    /// A course from its beginning, or from where another one was left.
+    struct Line {
+        std::uint64_t number = 0;
+        std::shared_ptr<const exercise::ExerciseDef> def;
+        std::optional<assess::Assessor> assessor; // at its beginning
+        std::vector<run::OrderView> orders;
+        struct Mark {
+            std::uint64_t tick = 0;
+            std::size_t orders = 0;
+            std::uint64_t hash = 0, assessment = 0;
+        };
+        std::vector<Mark> marks;
+        std::optional<Place> handed_over, on_disk;
+        bool ended = false; // nothing of it need be kept
+    };
+    /// Gone through undisturbed, some way along a line.
+    struct Undisturbed {
+        std::uint64_t line = 0;
+        run::Course course;
+        std::size_t orders = 0, marks = 0;
+    };
+
+    Line& line() { return lines_.back(); }
+    void begin_line(const run::Session& session);
+    bool go_on_from(Line& line, std::uint64_t tick, std::uint64_t hash);
+    void leave_line();
+    void branch(const run::Session& session, std::uint64_t tick);
+    void go_through(Line& line, std::uint64_t tick, std::size_t orders);
+    void hold_against(Line& line);
+    void look_at_orders(const run::Session& session);
+    void look_at_levers(const run::OrderView& order, double now);
+    void look_for_silence(const run::Session& session);
+    void look_at_events(const run::Session& session);
+    void look_at_alerts(const run::Session& session, const std::string& trouble);
+    void forget_hands();
+    void add(std::uint64_t number);
+    void add(const std::string& text);
+    [[noreturn]] void fail(std::string check, std::string expected, std::string found) const;
+
+    const World& world_;
+    std::list<Line> lines_; // of which a server that is lost may come back to; the newest is the present one
+    std::uint64_t line_number_ = 0;
+    std::optional<Undisturbed> undisturbed_;
+
+    std::uint64_t tick_ = 0, seen_ = 0, digest_ = 14695981039346656037ULL;
+    std::uint64_t run_ = 0, run_base_ = 0; // orders of the line before the run's first
+    std::uint64_t event_ = 0;
+
+    /// Of the levers of a group.
+    struct Levers {
+        std::array<double, 5> at{}; // as ordered last
+        std::string source;         // who was heard last in this run; empty: nobody
+        std::string hand;           // whose words these were last, in whatever run of this server
+        bool lay_there = false;     // its levers lay there as the run began
+        std::array<double, 5> moved{}, lay_since{}; // s, by its last word; by its last before the run began
+        bool instructor = false;
+        wire::WriterId writer{};
+        double heard = 0; // s of listening
+    };
+    std::array<Levers, 3> levers_;
+    std::vector<Sent> heard_;  // levers, since the last look
+    std::ptrdiff_t taken_ = 0; // of them, up to here
+    std::vector<wire::WriterId> left_;
+    double listened_ = 0, listened_at_ = 0, ran_since_ = 0;
+    bool ran_ = false;
+    std::map<std::pair<std::string, int>, run::AlertCondition> alerts_;
+};
+
+} // namespace windlass::sim

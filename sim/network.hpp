@@ -1,0 +1,58 @@
+#pragma once
+// What the network makes of what is sent: late, in bursts, from several writers in any order; a bad one also
+// loses, doubles and reorders what one writer sends. Of those who work the same levers DDS lets the strongest
+// be heard that still speaks.
+
+#include "server/dds/mailbox.hpp"
+#include "sim/world.hpp"
+
+#include <set>
+
+namespace windlass::sim {
+
+/// A sample on its way, and what its hand knows of itself.
+struct Sent {
+    dds::Mailbox::Sample sample;
+    wire::WriterId writer{};
+    bool instructor = false;
+    std::uint64_t moved_in_run = 0;
+    int strength = 10;
+    double at = 0;                    ///< s, when it was sent
+    std::array<double, 5> moved_at{}; ///< s, when the hand last moved each of its levers
+};
+
+class Network {
+public:
+    explicit Network(World& world);
+
+    void send(Sent sent);
+    /// That writer is there no more, which is told behind what it sent.
+    void leave(const wire::WriterId& writer);
+
+    using Heard = std::function<void(const Sent&)>;
+    using Left = std::function<void(const wire::WriterId&)>;
+    /// A server listens from now on. What was sent before is lost, as DDS keeps no orders for those who come.
+    void serve(Heard heard, Left left);
+    /// There is none.
+    void serve_nobody() { heard_ = nullptr, left_ = nullptr; }
+
+private:
+    double arrival(const wire::WriterId& writer);
+    void arrive(const Sent& sent);
+
+    struct Owner {
+        wire::WriterId writer{};
+        int strength = 0;
+        double heard = -10; // s
+    };
+
+    World& world_;
+    const bool bad_;
+    Heard heard_;
+    Left left_;
+    double served_since_ = 0, congested_until_ = 0; // s
+    std::map<wire::WriterId, double> last_;         // arrival of each writer's last sample
+    std::map<std::pair<int, bool>, Owner> owners_;
+};
+
+} // namespace windlass::sim
