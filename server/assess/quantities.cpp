@@ -1,5 +1,6 @@
 #include "server/assess/quantities.hpp"
 
+#include "server/assess/hawse.hpp"
 #include "server/physics/base/units.hpp"
 #include "server/physics/chain/chain_def.hpp"
 
@@ -41,6 +42,14 @@ bool leads_crossed(const Snapshot& seen) {
         return (to - from).x() * (at - from).y() - (to - from).y() * (at - from).x() > 0;
     };
     return left_of(a, b, c) != left_of(a, b, d) && left_of(c, d, a) != left_of(c, d, b);
+}
+
+/// Half turns in the hawse (hawse.hpp); 0 with one cable.
+double half_turns_in_hawse(const Snapshot& seen) {
+    const TackleView* port = tackle_of(seen, static_cast<int>(exercise::Side::port));
+    const TackleView* starboard = tackle_of(seen, static_cast<int>(exercise::Side::starboard));
+    if (port == nullptr || starboard == nullptr) return 0;
+    return turns_in_hawse(port->chain.nodes, starboard->chain.nodes);
 }
 
 /// m, from the anchor to the centre of the bridge's watch circle; far off while none is kept.
@@ -114,6 +123,10 @@ constexpr std::array kQuantities{
              WINDLASS_OF(difference_of_cables(s))},
     Quantity{"leads_crossed", "yes", "the two cables' leads cross, seen from above",
              WINDLASS_OF(leads_crossed(s) ? 1 : 0)},
+    Quantity{"turns_in_hawse", "half turns",
+             "of the cables about each other: 0 open, 1 a cross, 2 an elbow, 3 a round turn; made by turning "
+             "to starboard positive, to port negative",
+             WINDLASS_OF(half_turns_in_hawse(s))},
     Quantity{"ship_speed", "m/s", "ship over the ground", WINDLASS_OF(s.ship.velocity.head<2>().norm())},
     Quantity{"surge", "m/s", "ship over the ground, ahead positive", WINDLASS_OF(s.ship.surge)},
     Quantity{"ship_x", "m", "midships, east", WINDLASS_OF(s.ship.position.x())},
