@@ -7,6 +7,7 @@
 #include "server/config/config_landmarks.hpp"
 #include "server/config/field_json.hpp"
 #include "server/exercise/checkpoint.hpp"
+#include "server/exercise/moor.hpp"
 #include "server/physics/ship/hull_surface.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -176,19 +177,17 @@ void check_hang(const exercise::ExerciseDef& def, const exercise::GroundTackleDe
                     std::floor(10 * clear) / 10, height));
 }
 
-/// She lies to one cable, which something holds, and which is long enough to lie on the bottom.
+/// She lies to one cable or two, which something holds, and which are long enough to lie on the bottom.
 void check_start_at_anchor(const exercise::ExerciseDef& def, Faults& faults) {
     constexpr double kScope = 2;   ///< cable over the height from lip to bottom, at least
     constexpr double kHolds = 0.9; ///< lever of a brake that holds
     const double height = exercise::depth_at_bow(def) + def.ship.hawse_height;
-    int anchored = 0;
     for (std::size_t i = 0; i < def.tackle.size(); ++i) {
         const exercise::GroundTackleDef& tackle = def.tackle[i];
         if (tackle.at_anchor == 0) continue;
         const std::string at = fmt::format("/tackle/{}", i), here = at + "/at_anchor";
         const double out = physics::metres_from_shackles(tackle.at_anchor),
                      inboard = tackle.windlass.hawse_pipe_length + tackle.windlass.locker_lift;
-        faults.require(++anchored == 1, here, tackle.at_anchor, "0: she starts at one anchor only");
         faults.require(out >= kScope * height, here, tackle.at_anchor,
                        fmt::format("at least {:.1f} shackles: twice the {} m from lip to bottom",
                                    physics::shackles_from_metres(kScope * height), height));
@@ -200,6 +199,20 @@ void check_start_at_anchor(const exercise::ExerciseDef& def, Faults& faults) {
         faults.require(tackle.stopper_closed || tackle.brake >= kHolds, at + "/brake", tackle.brake,
                        fmt::format("at least {}, or stopper_closed: something holds the cable", kHolds));
     }
+    if (!exercise::moored(def)) {
+        faults.require(def.ship_start.turned == 0, "/ship_start/turned_deg",
+                       physics::degrees_from_radians(def.ship_start.turned),
+                       "0: she has turned between two anchors only, where both cables have at_anchor");
+        return;
+    }
+    const exercise::GroundTackleDef& first = def.tackle[0];
+    const double second = def.tackle[1].at_anchor;
+    const double on_board = physics::shackles_from_metres(
+        first.chain.length - first.windlass.hawse_pipe_length - first.windlass.locker_lift);
+    faults.require(first.at_anchor <= on_board - second, "/tackle/0/at_anchor", first.at_anchor,
+                   fmt::format("at most {:.1f} shackles: she moors by the first cable, veered over its own "
+                               "length and the second one's, {}",
+                               on_board - second, second));
 }
 
 /// Texts that no checkpoint could keep.

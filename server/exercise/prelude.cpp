@@ -2,6 +2,7 @@
 
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/exercise.hpp"
+#include "server/exercise/moor.hpp"
 #include "server/physics/windlass/band_brake.hpp"
 
 #include <algorithm>
@@ -186,13 +187,18 @@ ExerciseDef before_prelude(const ExerciseDef& def) {
     weather.gust_factor = 1;
     before.tide.clear();
     weather.veering = weather.wave_height = weather.swell_height = 0;
-    before.ship_start.surge = kSternway;
-    before.ship_start.sway = before.ship_start.yaw_rate = 0;
+    if (moored(def)) {
+        begin_moor(before);
+    } else {
+        before.ship_start.surge = kSternway;
+        before.ship_start.sway = before.ship_start.yaw_rate = 0;
+    }
     lay_weather(weather, before.environment);
     return before;
 }
 
 void play_prelude(Exercise& exercise, const ExerciseDef& def) {
+    if (moored(def)) return play_moor(exercise, def);
     Hand hand(exercise, def);
     hand.let_go();
     hand.pay_out();

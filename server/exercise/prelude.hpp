@@ -6,7 +6,7 @@
 // exercise's wind but 8 m/s at most, no sea, and a tide that stands: lets go at half a knot astern, lays the
 // cable out as she falls back, tests the anchor with the engine astern and lies until she is brought up. Then
 // levers come to stand as the file has them and the wind rises to the exercise's; the sea comes up in the
-// exercise's first half minute.
+// exercise's first half minute. A ship that lies to both anchors is moored by moor.hpp.
 
 #include "server/exercise/definition/exercise_def.hpp"
 
@@ -14,7 +14,7 @@ namespace windlass::exercise {
 
 class Exercise;
 
-/// The cable to which she lies at the start; null for none.
+/// The cable to which she lies at the start, the first of two where she is moored; null for none.
 const GroundTackleDef* anchored_by(const ExerciseDef& def);
 
 /// How she is before the prelude; of an exercise without one: as its definition says.

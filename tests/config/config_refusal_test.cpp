@@ -25,6 +25,10 @@ TEST_F(ConfigFiles, FaultsAndStartAtAnchorThatCannotBeAreRefused) {
     says(R"({"faults": [{"code": "brake-wet", "when": {"time": 1, "event": "x"}}]})", "/faults/0/when");
     says(R"({"tackle": [{"at_anchor": 1}]})", "/tackle/0/at_anchor: 1 is not allowed: at least 2.3 shackles");
     says(R"({"tackle": [{"at_anchor": 20}]})", "/tackle/0/at_anchor: 20 is not allowed: at most");
+    says(R"({"tackle": [{"at_anchor": 7}, {"side": "starboard", "at_anchor": 6}]})",
+         "/tackle/0/at_anchor: 7 is not allowed: at most");
+    says(R"({"tackle": [{"at_anchor": 6}], "ship_start": {"turned_deg": 180}})",
+         "/ship_start/turned_deg: 180 is not allowed: 0");
     says(R"({"tackle": [{"at_anchor": 6, "brake": 0.03}]})", "/tackle/0/brake: 0.03 is not allowed");
     EXPECT_EQ(refusal(R"({"tackle": [{"at_anchor": 6, "brake": 0.03, "stopper_closed": true}]})"), "");
 }

@@ -192,6 +192,7 @@ void visit_fields(Visitor& field, ShipStartDef& def) {
     field.number("surge", def.surge);
     field.number("sway", def.sway);
     field.degrees("yaw_rate_deg", def.yaw_rate);
+    field.degrees("turned_deg", def.turned);
 }
 
 /// The tackle's own fields; windlass, chain, anchor and condition are parts of it.

@@ -45,6 +45,7 @@ struct ShipStartDef {
     double surge = 0;    ///< m/s over ground
     double sway = 0;     ///< m/s to starboard
     double yaw_rate = 0; ///< rad/s clockwise
+    double turned = 0;   ///< rad clockwise, at two anchors: since she moored to them. See moor.hpp
 };
 
 /// How much the model of the cables may save.
