@@ -185,6 +185,16 @@ fs::path free_place(Disk& disk, const fs::path& aside, const std::string& id) {
         if (fs::path place = aside / fmt::format("{}-{}", id, number); !disk.exists(place)) return place;
 }
 
+/// What was put aside stays there after a power cut: else a state that killed comes back, or an older course.
+void settle(Disk& disk, std::initializer_list<fs::path> folders) {
+    for (const fs::path& folder : folders) {
+        try {
+            disk.sync_folder(folder);
+        } catch (const std::system_error&) { // a disk that refuses hinders no start
+        }
+    }
+}
+
 /// How often the exercise was taken up since it last came to a checkpoint; this time counts from now on.
 std::size_t count_attempt(Disk& disk, const fs::path& folder) {
     constexpr std::uint8_t kOne = '.';
@@ -233,6 +243,7 @@ TakenUp set_back(Disk& disk, std::vector<fs::path> files, const fs::path& folder
         }
     }
     disk.remove(attempts_file(folder));
+    settle(disk, {place, aside, folder});
     const std::string why = fmt::format("its state at {} ended the server {} times and lies in {}",
                                         run::clock_text(lost_at), kMaxAttempts, place.string());
     taken.how.set_back = why + (taken.def ? "; it stands at the checkpoint before, paused"
@@ -258,6 +269,7 @@ std::optional<TakenUp> look_for(Disk& disk, const fs::path& folder, const std::s
     } catch (const KeptError& error) {
         const fs::path place = free_place(disk, aside, id);
         disk.rename(folder, place);
+        settle(disk, {aside, folder.parent_path()});
         TakenUp anew;
         anew.how.refused = fmt::format("{}; the file lies in {}", error.what(), place.string());
         return anew;

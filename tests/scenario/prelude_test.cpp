@@ -2,6 +2,7 @@
 
 #include "server/config/config.hpp"
 #include "server/exercise/checkpoint.hpp"
+#include "server/exercise/moor.hpp"
 #include "server/exercise/prelude.hpp"
 
 #include "rigs/drill.hpp"
@@ -112,7 +113,8 @@ TEST(PreludeAlone, EveryShippedExerciseThatStartsAtAnchorBegins) {
         SCOPED_TRACE(def.name);
         ++anchored;
         Drill drill(def);
-        EXPECT_TRUE(drill.exercise().brought_up(Side::port));
+        // Moored she rides to neither anchor alone: each was tried with three times its weight.
+        EXPECT_TRUE(moored(def) || drill.exercise().brought_up(Side::port));
         drill.run(60);
         EXPECT_EQ(drill.count("anchor.dragging"), 0);
         EXPECT_EQ(drill.count("cable.lost"), 0);
