@@ -195,6 +195,24 @@ void settle(Disk& disk, std::initializer_list<fs::path> folders) {
     }
 }
 
+/// Puts a file of the checkpoint alone in the place of one that has orders behind it, which goes aside: who
+/// is lost before he has a file of his own stands at that checkpoint again. Throws KeptError, with the old
+/// one still there.
+void leave_checkpoint(Disk& disk, const fs::path& file, const fs::path& alone, const fs::path& aside) {
+    const KeptContents contents(file, disk);
+    try {
+        KeptWriter writer(alone, disk);
+        for (const auto& [kind, at, payload] : contents.entries())
+            if (kind == Record::beginning || kind == Record::checkpoint) writer.add(kind, payload);
+        writer.write();
+        writer.sync();
+    } catch (const KeptError&) {
+        disk.remove(alone);
+        throw;
+    }
+    disk.rename(file, aside / file.filename());
+}
+
 /// How often the exercise was taken up since it last came to a checkpoint; this time counts from now on.
 std::size_t count_attempt(Disk& disk, const fs::path& folder) {
     constexpr std::uint8_t kOne = '.';
@@ -229,6 +247,7 @@ TakenUp set_back(Disk& disk, std::vector<fs::path> files, const fs::path& folder
         disk.rename(files.back(), place / files.back().filename());
         files.pop_back();
     };
+    const fs::path last_place = files.back();
     const auto newest = open_kept(disk, files.back(), id, wanted).value();
     const double lost_at = newest.reached.empty() ? newest.checkpoint.time() : newest.reached.back().time();
     TakenUp taken;
@@ -241,6 +260,10 @@ TakenUp set_back(Disk& disk, std::vector<fs::path> files, const fs::path& folder
             break;
         } catch (const KeptError&) { // the one before, then
         }
+    }
+    try {
+        if (taken.def) leave_checkpoint(disk, files.back(), last_place, place);
+    } catch (const KeptError&) { // a disk that takes nothing: it stands there all the same, until it is lost
     }
     disk.remove(attempts_file(folder));
     settle(disk, {place, aside, folder});

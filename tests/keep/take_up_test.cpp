@@ -185,6 +185,7 @@ TEST_F(TakenUpTest, StateThatEndsTheServerTwiceIsLeftForTheCheckpointBeforePause
     EXPECT_THAT(back.session().alerts().front().explanation,
                 AllOf(HasSubstr("its state at 0:12 ended the server 2 times"), HasSubstr("aside")));
     EXPECT_FALSE(kept_files(folder_ / "aside" / "anna-1").empty());
+    EXPECT_EQ(time(taken_up()), 10) << "lost again before it kept anything: without what came behind that";
 }
 
 TEST_F(TakenUpTest, StateThatEndsTheServerTwiceWithoutACheckpointBeforeBeginsFromTheFileAndWaits) {

@@ -146,6 +146,20 @@ TEST(LandmarksOfAnExercise, AreRefusedWhereTheyDoNotFitTogether) {
                 HasSubstr("/landmarks/marks/0/flashes/0: [3,2] is not allowed"));
     EXPECT_THAT(refusal(marks(R"(, "light": "red", "period": 9, "flashes": [[0, 2], [1, 1]])")),
                 HasSubstr("/landmarks/marks/0/flashes/1: [1,1] is not allowed"));
+    const auto sectors = [&](const std::string& all) {
+        return refusal(marks(R"(, "light": "white", "sectors": [)" + all + "]"));
+    };
+    const std::string red = R"({"light": "red", "from_deg": 350, "to_deg": 20})";
+    EXPECT_EQ(sectors(red + R"(, {"light": "none", "from_deg": 20, "to_deg": 90})"), "");
+    EXPECT_THAT(sectors(red + R"(, {"light": "green", "from_deg": 19, "to_deg": 90})"),
+                HasSubstr("/landmarks/marks/0/sectors/1: 19 to 90 is not allowed"));
+    EXPECT_THAT(sectors(red + R"(, {"light": "green", "from_deg": 300, "to_deg": 351})"),
+                HasSubstr("/landmarks/marks/0/sectors/1: 300 to 351 is not allowed"));
+    EXPECT_THAT(sectors(R"({"light": "white", "from_deg": 3, "to_deg": 9})"),
+                HasSubstr("/landmarks/marks/0/sectors/0/light: \"white\" is not allowed"));
+    EXPECT_THAT(sectors(R"({"light": "red", "from_deg": 3, "to_deg": 3})"),
+                HasSubstr("/landmarks/marks/0/sectors/0/to_deg: 3 is not allowed"));
+    EXPECT_THAT(refusal(marks(R"(, "sectors": [)" + red + "]")), HasSubstr("the mark has no light"));
     EXPECT_THAT(refusal(marks("", R"(, "transits": [{"name": "In", "front": "A", "rear": "B"}])")),
                 HasSubstr(R"(/landmarks/transits/0/rear: "B" is not allowed: the name of a mark)"));
     EXPECT_THAT(refusal(marks("", R"(, "transits": [{"name": "In", "front": "A", "rear": "A"}])")),
