@@ -50,22 +50,33 @@ private:
         Vec3 normal; ///< body frame
         double penetration;
     };
+    struct Ridge {
+        Edge edge;           ///< body frame
+        Vec3 a, b;           ///< normals of its two faces
+        double size = 0;     ///< m, from foot to end
+        double way = 0;      ///< m, a link's round it; more where that is none
+        bool passed = false; ///< the link goes straight past it, and will within the step
+        double depth(const Vec3& place) const;
+        bool leaves_out(const Ridge& other) const;
+    };
     // Which links are looked at (obstacle_contact.cpp):
     bool any_near(const Eigen::Vector3d& middle, const Eigen::Vector3d& half, int first, int last) const;
     void look_at_due(int first, int last);
     void look_at(int link);
     int meeting(const Vec3& low, const Vec3& high);
     double clearance(int link) const;
-    // What they touch (obstacle_touch.cpp):
+    // What nodes touch (obstacle_touch.cpp):
     Point node_at(int i) const;
     void find_node(int i);
     void meet(const MeshTriangle& triangle, const Vec3& start, const Vec3& at);
     void leave_by_nearest_face(const Point& node);
     void keep(const Vec3& normal, double penetration);
-    void find_link(int i);
-    void lay_round(int i, const Point& lower, const Point& upper, const MeshTriangle& triangle, int side);
     Vec3 surface_velocity(const Vec3& at) const;
     NodeContact contact(int node, int touch, const Support& support, double share, const Vec3& at) const;
+    // What links lie round (obstacle_ridges.cpp):
+    void find_link(int i);
+    void lay_round(int i, const Point& lower, const Point& upper, const MeshTriangle& triangle, int side);
+    const Ridge& least_way_round() const;
 
     // Of the step under way:
     const ChainDef* def_ = nullptr;
@@ -81,11 +92,9 @@ private:
     std::vector<int> triangles_; ///< those that what is looked at may meet
     std::array<Support, 3> supports_;
     int supported_ = 0;
-    Edge edge_;        ///< of those that a link lies round or near, the one that bends it most
-    double bend_ = 0;  ///< rad, that it does; negative: there is none
-    Edge edge_beyond_; ///< the one that it passes least beyond an end of
-    double bend_beyond_ = 0, beyond_ = 0; ///< rad, as above; m, how far beyond
-    bool behind_ = false;                 ///< the node is behind some triangle, perhaps inside the body
+    std::array<Ridge, 8> ridges_; ///< that a link lies round or near
+    int ridges_found_ = 0;
+    bool behind_ = false; ///< the node is behind some triangle, perhaps inside the body
 
     // Of links that were looked at:
     const ObstacleMesh* marked_ = nullptr; ///< the body they were

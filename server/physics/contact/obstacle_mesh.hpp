@@ -45,6 +45,13 @@ private:
     std::unique_ptr<Tree> tree_;
 };
 
+/// Whether a direction (of any length) points out of a ridge, between the normals a and b of its two faces;
+/// by so much (of its length) it may point past them.
+inline bool between_normals(const Vec3& direction, const Vec3& a, const Vec3& b, double tolerance) {
+    const double cosine = a.dot(b), da = direction.dot(a), db = direction.dot(b);
+    return da - cosine * db >= -tolerance && db - cosine * da >= -tolerance;
+}
+
 /// A box with its faces along the axes, from low to high (m).
 ObstacleMesh box_mesh(const Vec3& low, const Vec3& high);
 
