@@ -3,15 +3,23 @@
 #include "recorder/debrief/page.hpp"
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/debrief/scenes.hpp"
+#include "recorder/ghost.hpp"
 
 namespace windlass::console {
 
-std::string debrief_page(const std::filesystem::path& path) {
+std::string debrief_page(const std::filesystem::path& path, const std::filesystem::path& config) {
     recording::Recording recording({path});
     auto attempt = debrief::read_attempt(recording);
     debrief::read_scenes(recording, attempt);
-    return debrief::page_of(
-        attempt, {.links = {.kind = debrief::Links::Kind::beside, .station = {}, .token = {}}, .over = {}});
+    debrief::PageOptions options{.links = {.kind = debrief::Links::Kind::beside, .station = {}, .token = {}}};
+    std::optional<debrief::Attempt> model;
+    try {
+        model = recorder::model_ghost(recording, attempt, config);
+        options.ghost = debrief::Ghost{&*model, "as the model hands did it"};
+    } catch (const std::runtime_error&) {
+        // No lesson, or not from its beginning: the page has all the rest.
+    }
+    return debrief::page_of(attempt, options);
 }
 
 } // namespace windlass::console

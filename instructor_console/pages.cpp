@@ -32,7 +32,9 @@ gateway::GatewayOptions instructor_pages(const station::SessionOptions& session,
     };
     wanted.events_of = events_of;
     wanted.past_of = past_of;
-    wanted.debrief_of = debrief_page;
+    wanted.debrief_of = [config = wanted.config_root](const std::filesystem::path& recording) {
+        return debrief_page(recording, config);
+    };
     wanted.exercise_files = [files = std::make_shared<ExerciseFiles>(exercises)](const json& request) {
         return files->answer(request);
     };

@@ -10,9 +10,7 @@ namespace windlass::lesson {
 
 namespace {
 
-constexpr double kLook = 0.1;     // s of exercise between two looks of a trainee
-constexpr double kLongest = 3600; // s, of what has no time limit
-constexpr double kAfter = 2;      // s that are played on when it is over, to see it stand still
+constexpr double kAfter = 2; // s that are played on when it is over, to see it stand still
 
 /// What the first script that is not done has failed in or waits for; empty: all are done.
 std::string stuck_at(const std::vector<Seat>& seats) {

@@ -17,6 +17,9 @@ struct Told {
     std::string text;
 };
 
+inline constexpr double kLook = 0.1;     ///< s of exercise between two looks of a scripted trainee
+inline constexpr double kLongest = 3600; ///< s, of what has no time limit
+
 /// Share of the hand-wheel's way that one press of a key moves it, as on the forecastle's page.
 inline constexpr double kKeyStep = 0.05;
 

@@ -1,10 +1,12 @@
 // recorder debrief: a recording as a page to talk over, and as tables for machines.
 
 #include "recorder/command.hpp"
+#include "recorder/debrief/compare.hpp"
 #include "recorder/debrief/page.hpp"
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/debrief/records.hpp"
 #include "recorder/debrief/scenes.hpp"
+#include "recorder/ghost.hpp"
 #include "recorder/remedies.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +29,8 @@ struct DebriefOptions {
     std::size_t run = 0;
     fs::path output, csv, json, xapi;
     std::string station;
-    bool what_if = false;
+    bool what_if = false, no_ghost = false;
+    fs::path ghost;
     fs::path config = "config";
     debrief::Actor actor{.home_page = "urn:windlass:trainees", .pseudonym = {}};
 };
@@ -57,11 +60,36 @@ debrief::Attempt read(const std::vector<fs::path>& paths, std::size_t run, bool&
     return attempt;
 }
 
+/// The lesson as other hands did it: of the recording that is named, else the model run. Nothing: it is not
+/// wanted, there was no lesson, or why it cannot be had is told. Throws std::runtime_error when the recording
+/// that is named is of something else.
+std::optional<debrief::Attempt> ghost_of(const DebriefOptions& options, const debrief::Attempt& attempt,
+                                         bool& whole) {
+    if (!options.ghost.empty()) {
+        auto ghost = read({options.ghost}, 0, whole, false);
+        if (const std::string why = debrief::unlike(attempt, ghost); !why.empty())
+            throw std::runtime_error("--ghost " + options.ghost.string() + ": " + why);
+        return ghost;
+    }
+    if (options.no_ghost || !attempt.assessment) return std::nullopt;
+    try {
+        recording::Recording recording(options.paths);
+        return model_ghost(recording, attempt, options.config);
+    } catch (const std::runtime_error& error) {
+        tell(fmt::format("the model run is not laid behind the curves: {}", error.what()));
+        return std::nullopt;
+    }
+}
+
 int debrief_recording(const DebriefOptions& options) {
     bool whole = true;
     debrief::PageOptions page;
     if (!options.station.empty()) page.links = debrief::links_to(options.station);
     const auto attempt = read(options.paths, options.run, whole, true);
+    const auto ghost = ghost_of(options, attempt, whole);
+    if (ghost)
+        page.ghost = debrief::Ghost{&*ghost, options.ghost.empty() ? "as the model hands did it"
+                                                                   : "as in " + ghost->origin.recording};
     std::vector<debrief::Attempt> others;
     for (const auto& path : options.over)
         others.push_back(read({path}, 0, whole, false));
@@ -92,13 +120,17 @@ void add_debrief(CLI::App& app, Command& chosen) {
            "another recording, an earlier attempt or the model run, laid over the plots; three at most")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    CLI::Option* ghost = sub.add_option(
+        "--ghost", options->ghost,
+        "another recording of the same lesson, paler behind the curves in place of the model run");
+    sub.add_flag("--no-ghost", options->no_ghost, "no model run behind the curves")->excludes(ghost);
     sub.add_option("--run", options->run, "which run of the recording, 1: the first (default: the last)")
         ->check(CLI::Range(1, 1'000'000));
     sub.add_option("--station", options->station,
                    "address that the instructor's station printed: times of the page then open its replay");
     sub.add_flag("--what-if", options->what_if,
                  "says of each lost point what would have kept it: some seconds to a minute or two each");
-    sub.add_option("--config", options->config, "for --what-if: folder with the scripts of the model run")
+    sub.add_option("--config", options->config, "folder with the scripts of the lesson's model run")
         ->capture_default_str();
     sub.add_option("--csv", options->csv, "the same as a table, one row a fact");
     sub.add_option("--json", options->json, "the same as one object");

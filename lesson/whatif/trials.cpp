@@ -15,11 +15,10 @@ using assess::CriterionKind;
 using assess::CriterionState;
 using assess::Ending;
 using lesson::another_sea;
+using lesson::kLongest;
+using lesson::kLook;
 
 namespace {
-
-constexpr double kLook = 0.1;     // s between two looks of a model hand, as in lesson/play
-constexpr double kLongest = 3600; // s, of a lesson without a time limit
 
 /// A hand's own: levers, reports, what she shows, what the men are set to.
 bool of_a_hand(const exercise::Order& order) {

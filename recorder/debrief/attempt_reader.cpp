@@ -50,12 +50,15 @@ bool same_helm(const HelmCommand& a, const HelmCommand& b) {
 
 } // namespace
 
-AttemptReader::AttemptReader(Attempt& attempt)
-    : attempt_(attempt), interval_(std::max(kLeastInterval, attempt.duration() / kIntervals)) {
+double AttemptReader::interval_of(const Attempt& attempt) {
+    return std::max(kLeastInterval, attempt.duration() / kIntervals);
+}
+
+AttemptReader::AttemptReader(Attempt& attempt, double interval) : attempt_(attempt), interval_(interval) {
     for (Side& side : attempt.sides)
-        side.curves.assign(windlass_curves().size(), Series(interval_));
-    attempt.ship.assign(ship_curves().size(), Series(interval_));
-    attempt.weather.assign(weather_curves().size(), Series(interval_));
+        side.curves.assign(windlass_curves().size(), Series(interval));
+    attempt.ship.assign(ship_curves().size(), Series(interval));
+    attempt.weather.assign(weather_curves().size(), Series(interval));
 }
 
 std::set<std::string> AttemptReader::topics() {
@@ -161,7 +164,7 @@ void AttemptReader::add(const AnchorState& anchor) {
 void AttemptReader::add(const ShipState& ship) {
     if (!in_order(ship.time(), ship_)) return;
     add_to(attempt_.ship, ship_curves(), ship);
-    const double apart = attempt_.duration() / kPlaces;
+    const double apart = interval_ * kIntervals / kPlaces;
     const Place place{ship.time(), ship.position().x(), ship.position().y(), ship.heading()};
     if (!attempt_.track.empty() && ship.time() < attempt_.track.back().time + apart) return;
     attempt_.track.push_back(place);

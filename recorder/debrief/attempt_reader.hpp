@@ -8,8 +8,10 @@ namespace windlass::debrief {
 
 class AttemptReader {
 public:
-    /// The attempt's run, beginning and end are known already.
-    explicit AttemptReader(Attempt& attempt);
+    /// The attempt's run, beginning and end are known already. interval: s, of its curves.
+    AttemptReader(Attempt& attempt, double interval);
+    /// That of an attempt's curves.
+    static double interval_of(const Attempt& attempt);
 
     /// Those that it understands.
     static std::set<std::string> topics();
@@ -20,7 +22,6 @@ public:
     /// After the last.
     void finish();
 
-private:
     void add(const WindlassLoad& load);
     void add(const ChainState& chain);
     void add(const AnchorState& anchor);
@@ -32,6 +33,7 @@ private:
     void add(const Assessment& assessment);
     void add(const OrderTaken& order);
 
+private:
     bool ours(std::uint64_t run) const;
     /// What was heard beyond that time has not happened: the server was lost before it was kept.
     void take_back_to(double time);

@@ -19,6 +19,26 @@ Alignment align(const Attempt& attempt, const Attempt& other) {
     return {attempt.began - other.began, "aligned at the beginning"};
 }
 
+std::string unlike(const Attempt& attempt, const Attempt& other) {
+    const auto named = [](const Attempt& of) {
+        return of.title.empty() ? of.exercise : fmt::format("{} ({})", of.exercise, of.title);
+    };
+    if (attempt.exercise != other.exercise)
+        return fmt::format("is of {}, this attempt of {}: only the same lesson can be laid behind it",
+                           named(other), named(attempt));
+    const auto lesson = [](const Attempt& of) { return of.assessment ? of.assessment->lesson_hash() : 0; };
+    // A lesson for practice has another definition, and is the same lesson.
+    const auto practice = [](const Attempt& of) { return of.assessment && of.assessment->practice(); };
+    const bool same = lesson(attempt) == lesson(other) && (practice(attempt) != practice(other) ||
+                                                           attempt.definition_hash == other.definition_hash);
+    return same
+               ? ""
+               : fmt::format("is of another version of {} (definition {:016x}, lesson {:016x}; this attempt: "
+                             "{:016x}, {:016x})",
+                             named(attempt), other.definition_hash, lesson(other), attempt.definition_hash,
+                             lesson(attempt));
+}
+
 namespace {
 
 void add_side(const Attempt& attempt, int index, std::vector<Figure>& figures) {

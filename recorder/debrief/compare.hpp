@@ -14,6 +14,10 @@ struct Alignment {
 /// At letting go where both let go, else at the first fault where both had one, else at their beginnings.
 Alignment align(const Attempt& attempt, const Attempt& other);
 
+/// Why another attempt is not one at the same lesson, in words; empty: it is. Of an exercise without a
+/// lesson: at the same exercise.
+std::string unlike(const Attempt& attempt, const Attempt& other);
+
 /// One figure of an attempt, in words and as a number.
 struct Figure {
     std::string id;   ///< for machines: "largest_tension_port"

@@ -21,23 +21,25 @@ constexpr std::string_view kSea = "Height of the waves, significant";
 
 using Load = WindlassLoad;
 constexpr std::array<Curve<Load>, 12> kWindlass{
-    {{kLoads, "tension at the hawse pipe lip", "kN", [](const Load& l) { return l.hawse_tension() * kKilo; }},
+    {{kLoads, "tension at the hawse pipe lip", "kN", [](const Load& l) { return l.hawse_tension() * kKilo; },
+      true},
      {kLoads, "pull at the gypsy", "kN", [](const Load& l) { return l.gypsy_load() * kKilo; }},
      {kLoads, "what the brake could hold", "kN", [](const Load& l) { return l.brake_capacity() * kKilo; }},
-     {kSpeeds, "speed at the gypsy", "m/s", [](const Load& l) { return l.cable_speed(); }},
-     {kLengths, "true", "m", [](const Load& l) { return l.cable_out(); }},
+     {kSpeeds, "speed at the gypsy", "m/s", [](const Load& l) { return l.cable_speed(); }, true},
+     {kLengths, "true", "m", [](const Load& l) { return l.cable_out(); }, true},
      {kLengths, "by the counter", "m", [](const Load& l) { return l.cable_out_indicated(); }},
      {kHeat, "lining", "\u00b0C",
       [](const Load& l) { return l.lining_temperature() - words::limits::ice_point; }},
      {kHeat, "drum", "\u00b0C",
       [](const Load& l) { return l.drum_temperature() - words::limits::ice_point; }},
-     {kLevers, "brake wheel, 1 hard on", "", [](const Load& l) { return l.brake_position(); }},
-     {kLevers, "speed lever, 1 full heave", "", [](const Load& l) { return l.speed_lever(); }},
-     {kLevers, "clutch in", "", [](const Load& l) { return l.clutch() == CLUTCH_IN ? 1.0 : 0.0; }},
-     {kLevers, "stopper on", "", [](const Load& l) { return l.stopper_closed() ? 1.0 : 0.0; }}}};
+     {kLevers, "brake wheel, 1 hard on", "", [](const Load& l) { return l.brake_position(); }, true},
+     {kLevers, "speed lever, 1 full heave", "", [](const Load& l) { return l.speed_lever(); }, true},
+     {kLevers, "clutch in", "", [](const Load& l) { return l.clutch() == CLUTCH_IN ? 1.0 : 0.0; }, true},
+     {kLevers, "stopper on", "", [](const Load& l) { return l.stopper_closed() ? 1.0 : 0.0; }, true}}};
 
 constexpr std::array<Curve<ShipState>, 1> kShipCurves{
-    {{kShip, "speed", "kn", [](const ShipState& s) { return s.speed_over_ground() / words::units::knot; }}}};
+    {{kShip, "speed", "kn", [](const ShipState& s) { return s.speed_over_ground() / words::units::knot; },
+      true}}};
 
 using Air = EnvironmentState;
 constexpr std::array<Curve<Air>, 3> kWeather{

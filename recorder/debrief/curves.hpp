@@ -15,6 +15,7 @@ struct Curve {
     std::string_view name; ///< in the plot's key
     std::string_view unit; ///< of what `of` gives
     double (*of)(const From& sample);
+    bool ghost = false; ///< a ghost's is drawn behind it
 };
 
 /// Places of rows that are looked for by others than the plots.

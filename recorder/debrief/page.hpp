@@ -26,6 +26,12 @@ struct Links {
 /// and token. Throws std::runtime_error when it is none.
 Links links_to(const std::string& address);
 
+/// The same lesson as other hands did it, behind one's own curves. It can be put out of sight.
+struct Ghost {
+    const Attempt* attempt = nullptr;
+    std::string name; ///< "as the model hands did it"
+};
+
 /// What would have kept a criterion that lost points, as the search for it says (docs/whatif.md).
 struct Remedy {
     std::string criterion;      ///< its code
@@ -35,7 +41,8 @@ struct Remedy {
 
 struct PageOptions {
     Links links;
-    std::vector<const Attempt*> over = {};            ///< other attempts, laid over the plots: three at most
+    std::vector<const Attempt*> over = {}; ///< other attempts, laid over the plots: three at most
+    std::optional<Ghost> ghost = {};
     std::optional<std::vector<Remedy>> remedies = {}; ///< nothing: they were not searched for
 };
 

@@ -3,6 +3,7 @@
 
 #include "recorder/debrief/moments.hpp"
 #include "recorder/debrief/page.hpp"
+#include "recorder/debrief/plot.hpp"
 
 namespace windlass::debrief {
 
@@ -22,6 +23,10 @@ std::string comparison_part(const PageContext& page);
 std::string talk_part(const PageContext& page);
 std::string events_part(const PageContext& page);
 std::string origin_part(const PageContext& page);
+
+/// A plot under its title as a heading of that level, with its sentence, and its table out of sight until it
+/// is asked for.
+std::string plot_figure(const Plot& plot, int level, const std::string& table);
 
 /// "2:05", linked to the replay of it where there is one.
 std::string time_link(const PageContext& page, double time);

@@ -19,13 +19,22 @@ namespace windlass::debrief {
 namespace {
 
 constexpr int kPlotRows = 24;
-constexpr double kMinute = 60; // s; plots of less are stretched to it
+constexpr double kShown = 0.005; // of any unit; what never comes to more is nothing to look at
+constexpr double kMinute = 60;   // s; plots of less are stretched to it
 
-/// A curve with its samples, of this attempt or another.
+/// A curve with its samples, and the ghost's; nullptr: it has none.
 struct Drawn {
     std::string_view name, unit;
     const Series* series;
+    const Series* ghost;
 };
+
+constexpr double kAlike = 0.5; // s, by which a ghost need not be moved
+
+/// s of exercise at which the plots end.
+double end_of(const Attempt& attempt) {
+    return std::max(attempt.ended, attempt.began + kMinute);
+}
 
 std::string attempt_name(const Attempt& attempt) {
     return attempt.origin.recording;
@@ -69,15 +78,19 @@ std::string figure_of(const PageContext& page, const std::string& id, const std:
               .unit = std::string(curves.front().unit),
               .sentence = {},
               .from = attempt.began,
-              .to = std::max(attempt.ended, attempt.began + kMinute),
+              .to = end_of(attempt),
               .lines = {},
               .strips = strips,
               .flags = {}};
-    for (const Drawn& each : curves) {
+    for (std::size_t style = 0; style < curves.size(); ++style) {
+        const Drawn& each = curves[style];
         plot.sentence += (plot.sentence.empty() ? "" : " ") + extremes(each);
         // What the brake could hold is a multiple of what it has to: the axis is the load's.
         const bool sets_axis = each.name != windlass_curves()[kBrakeCapacity].name;
-        plot.lines.push_back({std::string(each.name), each.series->samples(), sets_axis, 0});
+        plot.lines.push_back({std::string(each.name), each.series->samples(), style, sets_axis, kOwn});
+        if (each.ghost != nullptr)
+            plot.lines.push_back(
+                {"the same, " + page.options.ghost->name, each.ghost->samples(), style, true, kGhost});
     }
     for (std::size_t i = 0; i < others.size(); ++i) {
         if (others[i] == nullptr || others[i]->empty()) continue;
@@ -86,25 +99,22 @@ std::string figure_of(const PageContext& page, const std::string& id, const std:
         auto samples = others[i]->samples();
         for (Sample& sample : samples)
             sample.time += alignment.shift;
-        plot.lines.push_back({fmt::format("{} ({})", attempt_name(other), alignment.reason), samples, true,
+        plot.lines.push_back({fmt::format("{} ({})", attempt_name(other), alignment.reason), samples, 0, true,
                               static_cast<int>(i) + 1});
     }
     for (std::size_t i = 0; i < page.moments.size(); ++i)
         if (side < 0 || page.moments[i].side < 0 || page.moments[i].side == side)
-            plot.flags.push_back({page.moments[i].time, static_cast<int>(i) + 1});
-    return fmt::format(
-        "<h3>{0}</h3>\n<figure><div class=\"wide\" role=\"group\" tabindex=\"0\" aria-label=\"Plot: "
-        "{0}\">{1}</div><figcaption>{2}</figcaption><details><summary>Table: {0}</summary>{3}</details>"
-        "</figure>\n",
-        escaped(title), svg_of(plot), escaped(plot.sentence),
-        table_of(title, curves, attempt.began, attempt.ended));
+            plot.flags.push_back({page.moments[i].time, fmt::format("{}", i + 1)});
+    return plot_figure(plot, 3, table_of(title, curves, attempt.began, attempt.ended));
 }
 
-/// The plots of a table of curves. others: for each attempt laid over, its series in the order of the table.
+/// The plots of a table of curves. others: for each attempt laid over, its series in the order of the table;
+/// ghost: the ghost's, or nullptr.
 template <class From>
 std::string plots_of(const PageContext& page, const std::string& id, const std::string& suffix,
                      std::span<const Curve<From>> curves, const std::vector<Series>& series,
-                     const std::vector<const std::vector<Series>*>& others, int side) {
+                     const std::vector<const std::vector<Series>*>& others, const std::vector<Series>* ghost,
+                     int side) {
     std::string html;
     for (std::size_t i = 0; i < curves.size();) {
         const std::string_view plot = curves[i].plot;
@@ -115,12 +125,15 @@ std::string plots_of(const PageContext& page, const std::string& id, const std::
         for (; i < curves.size() && curves[i].plot == plot; ++i) {
             const Series& each = series[i];
             if (each.empty()) continue;
-            told = told || each.largest()->value != 0 || each.least()->value != 0;
+            told = told || each.largest()->value >= kShown || each.least()->value <= -kShown;
+            const Series* theirs =
+                ghost != nullptr && curves[i].ghost && !(*ghost)[i].empty() ? &(*ghost)[i] : nullptr;
             // A lever with two places is a strip.
             if (side >= 0 && (i == kClutch || i == kStopper))
-                strips.push_back({i == kClutch ? "clutch in" : "stopper", each.samples()});
+                strips.push_back({i == kClutch ? "clutch in" : "stopper", each.samples(),
+                                  theirs != nullptr ? theirs->samples() : std::vector<Sample>()});
             else
-                drawn.push_back({curves[i].name, curves[i].unit, &each});
+                drawn.push_back({curves[i].name, curves[i].unit, &each, theirs});
         }
         if (drawn.empty() || !told) continue; // no waves, say
         std::vector<const Series*> over;
@@ -132,11 +145,61 @@ std::string plots_of(const PageContext& page, const std::string& id, const std::
     return html;
 }
 
+/// What both did and when, of what a ghost can be lined up at.
+std::string both_did(const Attempt& attempt, const Attempt& ghost) {
+    std::string text;
+    for (const auto& [code, what] :
+         {std::pair{"anchor.let_go", "let go"}, {"anchor.on_bottom", "on the bottom"}}) {
+        const Event *ours = attempt.event(code), *theirs = ghost.event(code);
+        if (ours != nullptr && theirs != nullptr)
+            text += fmt::format("{} {} at {}, theirs at {}", text.empty() ? "" : ";", what,
+                                station::clock(ours->time()), station::clock(theirs->time()));
+    }
+    return text.empty() ? "" : fmt::format(" This attempt:{}.", text);
+}
+
+/// Says what the paler lines are, and puts them where they are to be, or out of sight.
+std::string ghost_choice(const PageContext& page) {
+    const Ghost& ghost = *page.options.ghost;
+    const Alignment alignment = align(page.attempt, *ghost.attempt);
+    const auto choice = [](const char* id, const char* checked, const std::string& words) {
+        return fmt::format("<label><input type=\"radio\" name=\"ghost\" id=\"{}\" autocomplete=\"off\"{}/> "
+                           "{}</label>\n",
+                           id, checked, escaped(words));
+    };
+    std::string html =
+        fmt::format("<p class=\"ghost\">Paler, dashed and wider, behind this attempt&#39;s own lines: the "
+                    "lesson {}.{}{}</p>\n"
+                    "<fieldset><legend>The paler lines</legend>\n",
+                    escaped(ghost.name), escaped(both_did(page.attempt, *ghost.attempt)),
+                    fmt::format(" Their lesson is over at {}.", station::clock(ghost.attempt->ended)));
+    html += choice("ghost-played", " checked=\"checked\"", "in their own time, from the same beginning");
+    if (std::abs(alignment.shift) > kAlike)
+        html += choice("ghost-aligned", "",
+                       fmt::format("{}, {:.1f} s {}", alignment.reason, std::abs(alignment.shift),
+                                   alignment.shift > 0 ? "later than they were" : "sooner than they were"));
+    return html + choice("ghost-off", "", "out of sight") + "</fieldset>\n";
+}
+
 } // namespace
+
+std::string plot_figure(const Plot& plot, int level, const std::string& table) {
+    return fmt::format(
+        "<h{0}>{1}</h{0}>\n<figure><div class=\"wide\" role=\"group\" tabindex=\"0\" aria-label=\"Plot: "
+        "{1}\">{2}</div><figcaption>{3}</figcaption><details><summary>Table: {1}</summary>{4}</details>"
+        "</figure>\n",
+        level, escaped(plot.title), svg_of(plot), escaped(plot.sentence), table);
+}
 
 std::string plots_part(const PageContext& page) {
     const Attempt& attempt = page.attempt;
-    std::string html = "<section aria-labelledby=\"plots\">\n<h2 id=\"plots\">Over time</h2>\n";
+    const Attempt* ghost = page.options.ghost ? page.options.ghost->attempt : nullptr;
+    std::string html = "<section aria-labelledby=\"plots\"";
+    if (ghost != nullptr)
+        html += fmt::format(" style=\"--ghost-moved: {:.1f}px\"",
+                            width_of(align(attempt, *ghost).shift, attempt.began, end_of(attempt)));
+    html += ">\n<h2 id=\"plots\">Over time</h2>\n";
+    if (ghost != nullptr) html += ghost_choice(page);
     const auto others = [&](auto series_of) {
         std::vector<const std::vector<Series>*> all;
         for (const Attempt* other : page.options.over)
@@ -151,24 +214,31 @@ std::string plots_part(const PageContext& page) {
                          both ? (side == SIDE_PORT ? ", port" : ", starboard") : "", windlass_curves(),
                          attempt.sides[index].curves,
                          others([index](const Attempt& of) -> const auto& { return of.sides[index].curves; }),
-                         side);
+                         ghost != nullptr ? &ghost->sides[index].curves : nullptr, side);
     }
     html += plots_of(page, "ship", "", ship_curves(), attempt.ship,
-                     others([](const Attempt& of) -> const auto& { return of.ship; }), -1);
+                     others([](const Attempt& of) -> const auto& { return of.ship; }),
+                     ghost != nullptr ? &ghost->ship : nullptr, -1);
     html += plots_of(page, "weather", "", weather_curves(), attempt.weather,
-                     others([](const Attempt& of) -> const auto& { return of.weather; }), -1);
-    std::vector<std::pair<std::string, const Attempt*>> tracks;
-    for (const Attempt* other : page.options.over)
-        tracks.emplace_back(attempt_name(*other), other);
+                     others([](const Attempt& of) -> const auto& { return of.weather; }), nullptr, -1);
+    std::vector<OtherTrack> tracks;
+    if (ghost != nullptr) tracks.push_back({page.options.ghost->name, ghost, kGhost});
+    for (std::size_t i = 0; i < page.options.over.size(); ++i)
+        tracks.push_back(
+            {attempt_name(*page.options.over[i]), page.options.over[i], static_cast<int>(i) + 1});
     if (const std::string track = track_figure(attempt, page.moments, tracks); !track.empty())
         html += "<h3>Track and swinging circle</h3>\n" + track;
     return html + "</section>\n";
 }
 
 std::string comparison_part(const PageContext& page) {
-    if (page.options.over.empty()) return {};
+    if (page.options.over.empty() && !page.options.ghost) return {};
     std::vector<std::string> columns{"figure", "this attempt"};
     std::vector<std::vector<Figure>> others;
+    if (page.options.ghost) {
+        columns.push_back(page.options.ghost->name);
+        others.push_back(figures_of(*page.options.ghost->attempt));
+    }
     for (const Attempt* other : page.options.over) {
         columns.push_back(attempt_name(*other));
         others.push_back(figures_of(*other));

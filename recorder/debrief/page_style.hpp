@@ -14,6 +14,7 @@ main { max-width: 46rem; margin: 0 auto; padding: 1rem; }
 h1 { font-size: 1.5rem; line-height: 1.2; margin: 0 0 .8rem; }
 h2 { font-size: 1.2rem; border-bottom: 2px solid #111; margin: 2rem 0 .7rem; }
 h3 { font-size: 1rem; margin: 1.3rem 0 .4rem; }
+h4 { font-size: .95rem; margin: 1rem 0 .3rem; }
 a { color: #00418a; }
 dl { display: grid; grid-template-columns: minmax(6rem, 11rem) 1fr; gap: .15rem 1rem; margin: 0; }
 dt { font-weight: 600; }
@@ -39,6 +40,11 @@ svg .flags { stroke: #767676; stroke-width: .7; stroke-dasharray: 1 2; fill: non
 svg .numbers { font-size: 10px; font-weight: 700; }
 svg .off { stroke: #767676; stroke-width: 1; fill: none; }
 svg .on { stroke: #111; stroke-width: 8; fill: none; }
+svg .ghost.on { stroke: #6f97bd; stroke-width: 4; stroke-dasharray: 6 4; }
+section:has(#ghost-aligned:checked) .lines .ghost { transform: translateX(var(--ghost-moved)); }
+section:has(#ghost-off:checked) .ghost { display: none; }
+fieldset { border: 1px solid #767676; margin: .6rem 0; padding: .2rem .8rem .5rem; }
+label { display: inline-block; margin-right: 1.2rem; }
 svg .hull { fill: none; stroke: #111; stroke-width: 1.4; }
 svg .swing { fill: none; stroke: #111; stroke-width: 1; stroke-dasharray: 6 4; }
 svg .watch { fill: none; stroke: #111; stroke-width: 1.2; stroke-dasharray: 1.5 3; }
@@ -61,11 +67,11 @@ figure > p { margin: .8rem 0 .2rem; }
 @media print {
   html { font-size: 10pt; }
   main { max-width: none; padding: 0; }
-  h2, h3, caption { break-after: avoid; }
+  h2, h3, h4, caption { break-after: avoid; }
   figure, tr, dl { break-inside: avoid; }
   .wide { overflow: visible; }
   svg { min-width: 0; }
-  details { display: none; }
+  details, fieldset { display: none; }
   a { color: #111; }
 }
 )";

@@ -106,6 +106,13 @@ std::string origin_part(const PageContext& page) {
         html +=
             fmt::format("<dt>Lesson and assessment</dt><dd><code>{:016x}</code>, <code>{:016x}</code></dd>\n",
                         page.attempt.assessment->lesson_hash(), page.attempt.assessment->assessment_hash());
+    if (page.options.ghost) {
+        const std::string& sha256 = page.options.ghost->attempt->origin.sha256;
+        html +=
+            fmt::format("<dt>Paler lines</dt><dd>the lesson {}{}</dd>\n", escaped(page.options.ghost->name),
+                        sha256.empty() ? ": its scripts, played from the recording&#39;s first state"
+                                       : fmt::format(": <code>{}</code>", escaped(sha256)));
+    }
     return html + "</dl>\n<p>Made by <code>recorder debrief</code> from the recording alone. Lines in the "
                   "plots are thinned, "
                   "but no largest and no least value is left out.</p>\n</section>\n";

@@ -135,7 +135,7 @@ Attempt read_attempt(Recording& recording, std::size_t run) {
     recording::Query query;
     query.topics = AttemptReader::topics();
     if (chosen + 1 < courses.size()) query.until = courses[chosen + 1].first;
-    AttemptReader reader(attempt);
+    AttemptReader reader(attempt, AttemptReader::interval_of(attempt));
     auto cursor = recording.messages(query);
     while (const auto message = cursor.next())
         if (!reader.read(*message, message->log_time >= from)) attempt.origin.complete = false;

@@ -156,36 +156,37 @@ std::vector<SwingingCircle> swinging_circles(const Attempt& attempt) {
 }
 
 std::string track_figure(const Attempt& attempt, const std::vector<Moment>& moments,
-                         const std::vector<std::pair<std::string, const Attempt*>>& others) {
+                         const std::vector<OtherTrack>& others) {
     if (attempt.track.empty()) return {};
     const auto circles = swinging_circles(attempt);
     const Place& last = attempt.track.back();
     Map map{last.x, last.y, last.x, last.y};
     for (const Place& place : attempt.track)
         map.take(place.x, place.y, attempt.length_overall / 2);
-    for (const auto& [name, other] : others)
-        for (const Place& place : other->track)
+    for (const OtherTrack& other : others)
+        for (const Place& place : other.attempt->track)
             map.take(place.x, place.y);
     for (const SwingingCircle& each : circles)
         map.take(each.x, each.y, each.radius);
     if (attempt.watch) map.take(attempt.watch->x(), attempt.watch->y(), attempt.watch->radius());
-    const auto way = [&](const Attempt& of, std::size_t place, int other) {
+    const auto way = [&](const Attempt& of, int whose) {
         std::vector<Spot> spots;
         for (const Place& each : of.track)
             spots.push_back(map.at(each.x, each.y));
-        return fmt::format("<path {} d=\"{}\"/>", stroke_of(place, other), path_of(simplified(spots, 0.3)));
+        return fmt::format("<path {} d=\"{}\"/>", stroke_of(0, whose), path_of(simplified(spots, 0.3)));
     };
     map.fit(kKey * (1 + static_cast<double>(others.size())));
-    std::string svg = way(attempt, 0, 0);
-    std::string keys = fmt::format("<path {} d=\"M30 12h34\"/><text x=\"70\" y=\"16\">this attempt, "
-                                   "amidships; her outline at the end; circle: swinging circle{}</text>",
-                                   stroke_of(0, 0), attempt.watch ? "; dotted circle: anchor watch" : "");
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        svg += way(*others[i].second, 0, static_cast<int>(i) + 1);
-        const double y = kKey * (static_cast<double>(i) + 1) + 16;
-        keys += fmt::format("<path {} d=\"M30 {:.0f}h34\"/><text x=\"70\" y=\"{:.0f}\">{}</text>",
-                            stroke_of(0, static_cast<int>(i) + 1), y - 4, y, escaped(others[i].first));
+    double row = 16;
+    std::string keys =
+        key_of(fmt::format("this attempt, amidships; her outline at the end; circle: swinging circle{}",
+                           attempt.watch ? "; dotted circle: anchor watch" : ""),
+               0, kOwn, 30, row);
+    std::string svg;
+    for (const OtherTrack& other : others) {
+        svg += way(*other.attempt, other.whose);
+        keys += key_of(other.name, 0, other.whose, 30, row += kKey);
     }
+    svg += way(attempt, kOwn);
     for (const SwingingCircle& each : circles)
         svg += circle(map, each.x, each.y, each.radius, "swing");
     if (attempt.watch)

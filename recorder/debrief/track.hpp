@@ -6,6 +6,13 @@
 
 namespace windlass::debrief {
 
+/// The track of another attempt; whose as in PlotLine.
+struct OtherTrack {
+    std::string name;
+    const Attempt* attempt = nullptr;
+    int whose = 0;
+};
+
 /// Where a ship at anchor can come to.
 struct SwingingCircle {
     int side = 0;
@@ -17,8 +24,8 @@ struct SwingingCircle {
 std::vector<SwingingCircle> swinging_circles(const Attempt& attempt);
 
 /// The <figure> with its sentence and its table; empty where no place of the ship was recorded. moments: the
-/// page's, whose numbers are written at the places where they came. others: tracks laid over it, with names.
+/// page's, whose numbers are written at the places where they came. others: tracks laid over it.
 std::string track_figure(const Attempt& attempt, const std::vector<Moment>& moments,
-                         const std::vector<std::pair<std::string, const Attempt*>>& others);
+                         const std::vector<OtherTrack>& others);
 
 } // namespace windlass::debrief

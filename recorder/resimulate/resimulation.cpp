@@ -12,9 +12,7 @@ namespace windlass::recorder {
 
 using exercise::Exercise;
 
-namespace {
-
-run::Course read_mark(recording::Recording& recording, const Run& run, const Mark& mark) {
+run::Course course_at(recording::Recording& recording, const Run& run, const Mark& mark) {
     try {
         assess::Assessor assessor;
         Exercise exercise = exercise::read_checkpoint(checkpoint_bytes(recording, run, mark),
@@ -24,8 +22,6 @@ run::Course read_mark(recording::Recording& recording, const Run& run, const Mar
         throw Gap(fmt::format("the checkpoint at {:.2f} s: {}", mark.time, error.what()));
     }
 }
-
-} // namespace
 
 std::string Divergence::text() const {
     std::string text = fmt::format("the state at tick {} is not the recorded one; at tick {} it still was",
@@ -40,7 +36,7 @@ std::string Divergence::text() const {
 Resimulation::Resimulation(recording::Recording& recording, const Run& run, const Mark& checkpoint)
     : recording_(recording),
       run_(run),
-      course_(read_mark(recording, run, checkpoint)),
+      course_(course_at(recording, run, checkpoint)),
       next_mark_(static_cast<std::size_t>(&checkpoint - run.marks.data())),
       next_order_(static_cast<std::size_t>(
           std::ranges::upper_bound(run.orders, checkpoint.orders_taken, {}, &run::OrderView::number) -
@@ -93,7 +89,7 @@ Divergence Resimulation::part_at(const Mark& mark, std::uint64_t agreed_tick) {
         } catch (const Gap&) {
             return parting; // an order on the way there was lost
         }
-        const run::Course recorded = read_mark(recording_, run_, *shown);
+        const run::Course recorded = course_at(recording_, run_, *shown);
         parting.shown_tick = shown->tick;
         parting.fields = exercise::differences(recorded.exercise(), course_.exercise());
         if (parting.fields.empty() && recorded.state_hash() != shown->state_hash)

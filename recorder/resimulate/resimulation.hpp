@@ -17,6 +17,10 @@ struct Gap : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The exercise and its assessment as they were at a checkpoint. Throws Gap when it is none that this program
+/// can go on from, mcap::Damage when it is not there any more.
+run::Course course_at(recording::Recording& recording, const Run& run, const Mark& checkpoint);
+
 /// Where the states that come of the orders cease to be the recorded ones.
 struct Divergence {
     std::uint64_t tick = 0;        ///< the first at which a recorded hash differs

@@ -98,10 +98,14 @@ test("a trainee's station gives no debriefing", async () => {
 
 test("the page by itself needs nothing, can be read, and fits", async () => {
   const file = join(folder, "page.html");
-  execFileSync(recorder, ["debrief", join(folder, name), "--over", join(folder, name), "-o", file], {
-    stdio: "ignore",
-  });
+  const itself = join(folder, name);
+  execFileSync(recorder, ["debrief", itself, "--over", itself, "--ghost", itself, "-o", file], { stdio: "ignore" });
   const alone = await openPage(pathToFileURL(file).href, { offline: true });
+  const ghost = alone.locator("svg text.ghost").first();
+  assert.ok(await ghost.isVisible(), "a ghost is behind the curves");
+  await alone.getByLabel("out of sight").check();
+  assert.ok(await ghost.isHidden(), "and can be put out of sight");
+  await alone.getByLabel("in their own time").check();
   await passesAxe(alone);
   for (const summary of await alone.locator("summary").all()) await summary.click();
   await passesAxe(alone); // the tables behind the plots as well

@@ -56,17 +56,19 @@ public:
         give(order, "instructor");
     }
 
-    /// So many beats of the server; status and truth every 20 of them.
+    int every = 20; ///< beats from one status, truth and load to the next
+    /// So many beats of the server.
     void run(int beats) {
         for (int i = 0; i < beats; ++i) {
             session_->carry_out({}, now_);
             session_->tick();
             now_ += session_->dt();
-            publish(++beats_ % 20 == 0);
+            publish(++beats_ % every == 0);
         }
     }
     void close() { tape_.close({}); }
     run::Session& session() { return *session_; }
+    const std::vector<exercise::ExerciseEvent>& heard() const { return heard_; } ///< every event
 
 private:
     static run::SessionOptions options() {
@@ -77,8 +79,10 @@ private:
     }
 
     void publish(bool status) {
-        for (const auto& event : session_->events())
+        for (const auto& event : session_->events()) {
             write(wire::topics::event, {}, event);
+            heard_.push_back(event);
+        }
         for (const auto& order : session_->orders())
             write(wire::topics::order_taken, orders, order);
         if (session_->assessment()) write(wire::topics::assessment, assessments, *session_->assessment());
@@ -123,6 +127,7 @@ private:
     recorder::Tape tape_;
     double now_ = 0; // s of wall time
     int beats_ = 0;
+    std::vector<exercise::ExerciseEvent> heard_;
 };
 
 } // namespace windlass::test
