@@ -256,6 +256,24 @@ Outcome Trials::go(const Variation& variation, const Goal& goal) {
     return outcome;
 }
 
+void Trials::show(const Variation& variation, std::uint64_t from, std::uint64_t until,
+                  const std::function<void(const exercise::Snapshot&, const assess::State&)>& look) {
+    const std::size_t checkpoint = checkpoint_before(std::min(from, variation.from));
+    Walk walk(*this, variation.orders, checkpoint);
+    if (variation.model_from) {
+        walk.stand_by(beside_[checkpoint]);
+        walk.hand_over(*variation.model_from);
+    }
+    const std::uint64_t began = walk.tick();
+    const assess::Assessor& assessor = walk.course().assessor();
+    while (walk.tick() < until && !assessor.ended()) {
+        walk.step();
+        if (walk.tick() >= from && walk.tick() % ticks(kLook) == 0)
+            look(walk.course().seen(), assessor.state());
+    }
+    ticks_gone_ += walk.tick() - began;
+}
+
 void Trials::look_at(std::uint64_t tick, const std::function<void(run::Course&)>& look) {
     Walk walk(*this, orders_, checkpoint_before(tick));
     const std::uint64_t began = walk.tick();

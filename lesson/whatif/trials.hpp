@@ -60,6 +60,10 @@ public:
 
     /// Tries it, until the lesson ends or the goal can no longer be kept.
     Outcome go(const Variation& variation, const Goal& goal);
+    /// Shows the pictures of a variation, one each kLook from that tick on until the other, and the lesson's
+    /// state at each; at the latest where the variation's lesson ends.
+    void show(const Variation& variation, std::uint64_t from, std::uint64_t until,
+              const std::function<void(const exercise::Snapshot&, const assess::State&)>& look);
     /// Where the attempt as it was has come to at a tick.
     void look_at(std::uint64_t tick, const std::function<void(run::Course&)>& look);
     /// What the model's hands do once they have taken over, until a tick.

@@ -32,11 +32,21 @@ struct Ghost {
     std::string name; ///< "as the model hands did it"
 };
 
+/// One quantity as it was, and as it would have been by one change.
+struct TwoCourses {
+    std::string title, unit; ///< what it is; of the values
+    std::vector<Sample> was, would;
+    std::optional<double> least, most; ///< that the lesson allows
+};
+
 /// What would have kept a criterion that lost points, as the search for it says (docs/whatif.md).
 struct Remedy {
     std::string criterion;      ///< its code
     std::optional<double> time; ///< s of exercise, at which something is otherwise; nothing: nothing helps
     std::string words;
+    double changed = 0, lost = 0;         ///< s of exercise: when something is otherwise, when it was lost
+    std::vector<TwoCourses> courses = {}; ///< of a change that moves anything
+    bool only_said = false;               ///< nothing moves otherwise than it did: the change is one of words
 };
 
 struct PageOptions {

@@ -5,6 +5,7 @@
 #include "recorder/debrief/html.hpp"
 #include "recorder/debrief/judgement.hpp"
 #include "recorder/debrief/page_parts.hpp"
+#include "recorder/debrief/scale.hpp"
 #include "recorder/debrief/wall_time.hpp"
 #include "station/format.hpp"
 #include "station/names.hpp"
@@ -105,6 +106,86 @@ std::string deductions(const PageContext& page, const Judgement& judgement) {
            table("Points lost of 100, by when it first went wrong; reasons count in weights", columns, rows);
 }
 
+/// The two courses of one quantity as a plot: solid as it was, dashed as it would have been.
+Plot plot_of(const Remedy& remedy, const TwoCourses& two, const std::string& id) {
+    Plot plot{
+        .id = id,
+        .title = two.title,
+        .unit = two.unit,
+        .sentence = {},
+        .from = two.was.front().time,
+        .to = std::max(two.was.back().time, two.would.back().time),
+        .height = 120,
+        .from_zero = false,
+        .lines = {{"as it was", two.was, 0, true, kOwn}, {"as it would have been", two.would, 1, true, kOwn}},
+        .strips = {},
+        .flags = {{remedy.changed, "changed"}, {remedy.lost, "lost"}}};
+    const auto limit = [&](const std::optional<double>& value, const char* what) {
+        if (value)
+            plot.lines.push_back({fmt::format("{} {:.3g} {}", what, *value, two.unit),
+                                  {{plot.from, *value}, {plot.to, *value}},
+                                  2,
+                                  true,
+                                  kOwn});
+    };
+    limit(two.least, "at least");
+    limit(two.most, "at most");
+    const auto extremes = [&](const std::vector<Sample>& samples) {
+        const auto [least, most] = std::ranges::minmax_element(samples, {}, &Sample::value);
+        return fmt::format("largest {:.3g} {} at {}, least {:.3g} {} at {}", most->value, two.unit,
+                           station::clock(most->time), least->value, two.unit, station::clock(least->time));
+    };
+    plot.sentence =
+        fmt::format("As it was: {}. As it would have been: {}.", extremes(two.was), extremes(two.would));
+    return plot;
+}
+
+std::string table_of(const TwoCourses& two) {
+    constexpr int kRows = 16;
+    const double from = two.was.front().time, to = std::max(two.was.back().time, two.would.back().time);
+    const double step = round_time_step(std::max(to - from, 1.0), kRows);
+    const auto at = [](const std::vector<Sample>& samples, double time) {
+        const auto after = std::ranges::upper_bound(samples, time + 1e-6, {}, &Sample::time);
+        const bool there =
+            after != samples.begin() && (after != samples.end() || samples.back().time > time - 1);
+        return figure_cell(there ? figure(std::prev(after)->value, 0.01) : "");
+    };
+    std::vector<std::vector<Cell>> rows;
+    for (double time = std::ceil(from / step) * step; time <= to + 1e-6; time += step)
+        rows.push_back({figure_cell(time_figure(time, step)), at(two.was, time), at(two.would, time)});
+    return table(
+        two.title,
+        {"time", fmt::format("as it was, {}", two.unit), fmt::format("would have been, {}", two.unit)}, rows);
+}
+
+/// Both courses of each answer, under what was lost.
+std::string courses(const PageContext& page, const Judgement& judgement) {
+    if (!page.options.remedies) return {};
+    std::string html;
+    int plots = 0;
+    for (const Mark& mark : judgement.deductions()) {
+        const std::string code = mark.criterion->code().to_string();
+        const auto remedy = std::ranges::find(*page.options.remedies, code, &Remedy::criterion);
+        if (remedy == page.options.remedies->end()) continue;
+        if (remedy->only_said)
+            html += fmt::format(
+                "<h4>{}</h4>\n<p>Cable, its speed and its load are the same in both: the change is "
+                "one of words.</p>\n",
+                escaped(name_of(*mark.criterion)));
+        for (const TwoCourses& two : remedy->courses) {
+            if (two.was.empty() || two.would.empty()) continue;
+            Plot plot = plot_of(*remedy, two, fmt::format("both{}", ++plots));
+            plot.title = fmt::format("{}: {}", name_of(*mark.criterion), two.title);
+            html += plot_figure(plot, 4, table_of(two));
+        }
+    }
+    if (html.empty()) return {};
+    return "<h3>As it was, and as it would have been</h3>\n<p>Each answer was really "
+           "played: its one change with all other hands as recorded, or the model hands from there on. The "
+           "plots go from twenty seconds before that until half a minute behind the loss.</p>\n" +
+           html;
+}
+
 std::string strengths(const Judgement& judgement) {
     std::string items;
     for (const Mark& mark : judgement.strongest(3)) {
@@ -189,8 +270,8 @@ std::string result_part(const PageContext& page) {
         if (word.command.criterion().size() == 0 && word.command.verdict() == VERDICT_CONFIRMED)
             html += fmt::format("<p>Confirmed by {}: {}</p>\n", escaped(word.by),
                                 escaped(word.command.note().to_string()));
-    return html + objectives(attempt) + strengths(judgement) + deductions(page, judgement) + hints(page) +
-           criteria(attempt, judgement) + "</section>\n";
+    return html + objectives(attempt) + strengths(judgement) + deductions(page, judgement) +
+           courses(page, judgement) + hints(page) + criteria(attempt, judgement) + "</section>\n";
 }
 
 std::string moments_part(const PageContext& page) {

@@ -120,7 +120,7 @@ const std::vector<Room>& rooms() {
           "recorder"}},
         {"recorder/whatif",
          {"windlass::recorder"},
-         {"lesson/whatif", "server/config", "recorder/resimulate", "recorder"}},
+         {"lesson/whatif", "server/assess", "server/config", "words", "recorder/resimulate", "recorder"}},
         {"recorder/record",
          {"windlass::recorder"},
          {"idl", "recorder/mcap", "recorder/recording", "server/config", "station", "recorder"}},

@@ -2,9 +2,11 @@
 
 #include "instructor_console/lesson_files.hpp"
 #include "lesson/play.hpp"
+#include "lesson/whatif/two_courses.hpp"
 #include "lesson/whatif/words.hpp"
 #include "recorder/command.hpp"
 #include "recorder/whatif/recorded_attempt.hpp"
+#include "server/assess/quantities.hpp"
 
 #include "tests/recorder/folder.hpp"
 #include "tests/recorder/taped_session.hpp"
@@ -198,6 +200,40 @@ TEST(WhatIf, ACriterionThatWasKeptHasNoAnswer) {
     Trials trials(one.attempt, one.model);
     EXPECT_TRUE(criterion_of(trials.recorded(), "fall").met);
     EXPECT_THROW(what_if(trials, "fall"), std::invalid_argument);
+}
+
+// The curves of an answer are alike until the change, and the one keeps to what the other does not.
+TEST(WhatIf, BothCoursesPartAtTheChangeAndOnlyOneKeepsToWhatIsAsked) {
+    const Played one("L15_motor_overhauled.json");
+    Trials trials(one.attempt, one.model);
+    const Answer answer = what_if(trials, "brake"); // hard on by a certain moment
+    ASSERT_TRUE(answer.kept);
+    const auto both = two_courses(trials, answer);
+    ASSERT_TRUE(both);
+    ASSERT_EQ(both->curves.size(), 1U);
+    const TwoCurves& wheel = both->curves[0];
+    EXPECT_STREQ(assess::quantities()[static_cast<std::size_t>(wheel.quantity)].name, "brake_position");
+    EXPECT_EQ(both->lost, answer.lost_time);
+    EXPECT_NEAR(wheel.was.front().time, both->changed - kWindowBefore, 0.11);
+    EXPECT_NEAR(wheel.was.back().time, both->lost, 0.11) << "with the motor's burst the lesson was over";
+    EXPECT_NEAR(wheel.would.back().time, both->lost + kWindowBehind, 0.11);
+    const auto at = [](const std::vector<Point>& points, double time) {
+        return std::ranges::lower_bound(points, time - 1e-6, {}, &Point::time)->value;
+    };
+    for (double time = wheel.was.front().time; time <= both->changed; time += 0.1)
+        ASSERT_EQ(at(wheel.was, time), at(wheel.would, time)) << time;
+    EXPECT_LE(wheel.was.back().value, wheel.least);
+    EXPECT_GT(at(wheel.would, both->lost), wheel.least);
+    const auto again = two_courses(trials, answer);
+    EXPECT_EQ(again->curves[0].would, wheel.would) << "the same, again";
+}
+
+TEST(WhatIf, AWordMovesNoCurve) {
+    const Played one("L18_stuck.json");
+    Trials trials(one.attempt, one.model);
+    const auto both = two_courses(trials, what_if(trials, "report"));
+    ASSERT_TRUE(both);
+    EXPECT_TRUE(both->curves.empty());
 }
 
 // Through a recording and back.

@@ -195,6 +195,31 @@ TEST(DebriefTest, WhatWouldHaveKeptALostPointStandsBesideItWithTheMomentBefore) 
     EXPECT_THAT(page, HasSubstr(">0:21</a>."));
 }
 
+TEST(DebriefTest, BothCoursesOfAnAnswerStandUnderTheDeductionsWithTheirMomentsAndLimits) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder);
+    const Remedy moved{.criterion = "fall",
+                       .time = 31.4,
+                       .words = "0:31.4 the wheel hard on",
+                       .changed = 31.4,
+                       .lost = 33,
+                       .courses = {{.title = "cable's speed",
+                                    .unit = "m/s",
+                                    .was = {{20, 2}, {33, 6.9}, {50, 0}},
+                                    .would = {{20, 2}, {33, 3.1}, {50, 0}},
+                                    .least = {},
+                                    .most = 5.5}}};
+    const Remedy said{
+        .criterion = "report", .time = 40, .words = "reported", .changed = 40, .lost = 50, .only_said = true};
+    const std::string page = page_of(attempt, {.links = {}, .remedies = std::vector<Remedy>{moved, said}});
+    EXPECT_THAT(page, HasSubstr("<h4>fall: cable&#39;s speed</h4>"));
+    for (const char* part : {">as it was</text>", ">as it would have been</text>", ">at most 5.5 m/s</text>",
+                             ">changed</text>", ">lost</text>", "As it was: largest 6.9 m/s at 0:33",
+                             "As it would have been: largest 3.1 m/s at 0:33", "the change is one of words"})
+        EXPECT_THAT(page, HasSubstr(part));
+    EXPECT_EQ(count(page, "<svg "), count(page, "<details>") + 1) << "each with its table";
+}
+
 // One judge: whatever the marks are, the outcome of an objective is the server's.
 TEST(DebriefTest, ObjectivesAreAsTheServerHasJudgedThem) {
     const Folder folder;
