@@ -2,6 +2,7 @@
 
 #include "server/dds/check.hpp"
 #include "server/dds/convert.hpp"
+#include "server/dds/order_taken.hpp"
 #include "station/names.hpp"
 
 #include <cmath>
@@ -143,6 +144,14 @@ std::vector<run::ReceivedOrder> Seat::act() {
 
 void Seat::hear(const Report& report, double time) {
     picture_.receive(report, at(time));
+}
+
+void Seat::hear(const exercise::ReportMade& report, double time) {
+    OrderTaken taken;
+    dds::convert(
+        run::OrderView{.run = 0, .tick = 0, .number = 0, .source = name_, .command = exercise::Order{report}},
+        taken);
+    hear(taken.report(), time);
 }
 
 std::vector<Report> Seat::take_reports() {

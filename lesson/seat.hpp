@@ -20,6 +20,7 @@ public:
     void notice(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen);
     /// He hears a report of the forecastle, as a bridge does. time: s.
     void hear(const Report& report, double time);
+    void hear(const exercise::ReportMade& report, double time);
     /// What he does now; his windlass's levers every time, as a station sends them.
     std::vector<run::ReceivedOrder> act();
 
@@ -29,6 +30,8 @@ public:
     std::vector<std::string> take_words();
     /// The step that he waits for; empty: all are done.
     std::string waiting_for() const;
+    /// He gives the orders of the bridge.
+    bool conns() const { return conns_; }
     /// He has done all of it, or has failed in it; a mate has when everybody else has.
     bool done() const { return mate_ || player_.finished() || player_.failure(); }
     const std::optional<std::string>& failure() const { return player_.failure(); }

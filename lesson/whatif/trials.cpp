@@ -20,8 +20,12 @@ using lesson::kLook;
 
 namespace {
 
-/// A hand's own: levers, reports, what she shows, what the men are set to.
-bool of_a_hand(const exercise::Order& order) {
+/// A hand's own: levers, reports, what she shows, what the men are set to; of one who has the conn also what
+/// the bridge orders and watches.
+bool of_a_hand(const exercise::Order& order, bool conns) {
+    if (std::holds_alternative<exercise::BridgeOrderGiven>(order) ||
+        std::holds_alternative<exercise::WatchCircleOrder>(order))
+        return conns;
     return std::holds_alternative<exercise::WindlassOrder>(order) ||
            std::holds_alternative<exercise::HelmOrder>(order) ||
            std::holds_alternative<exercise::ReportMade>(order) ||
@@ -101,8 +105,9 @@ public:
     /// One tick: what the hands do, the step, and what the lesson orders then.
     void step() {
         const bool model = tick() >= model_from_;
+        const bool conned = hands_ && std::ranges::any_of(hands_->seats, &lesson::Seat::conns);
         for (; next_ < orders_.size() && orders_[next_].tick <= tick(); ++next_)
-            if (!model || !of_a_hand(orders_[next_].command)) take(orders_[next_].command);
+            if (!model || !of_a_hand(orders_[next_].command, conned)) take(orders_[next_].command);
         if (hands_ && tick() % look_every_ == 0) look(model);
         if (!course_.step()) throw std::runtime_error("the state ceases to be finite");
         for (const exercise::Order& order : course_.ordered())
@@ -118,6 +123,9 @@ private:
         const run::OrderView taken{.run = 0, .tick = tick(), .number = 0, .source = {}, .command = order};
         course_.take(taken);
         if (taken_ != nullptr) taken_->push_back(taken);
+        if (const auto* report = std::get_if<exercise::ReportMade>(&order); report != nullptr && hands_)
+            for (lesson::Seat& seat : hands_->seats) // as a bridge hears it, whoever has made it
+                seat.hear(*report, trials_.seconds(tick()));
     }
 
     /// The model's hands look, and act: beside a trainee nothing comes of that, and they keep what they

@@ -133,6 +133,18 @@ TEST(WhatIf, ModelHandsThatTakeOverAtTheBeginningGoTheModelRun) {
     EXPECT_EQ(outcome.result.assessment_hash, lesson::play(one.file.def, one.model).result.assessment_hash);
 }
 
+// The model's conn goes by what its mate reports.
+TEST(WhatIf, ModelHandsOnTheBridgeHearTheForecastle) {
+    const Played one("L27_the_conn.json", 1);
+    Trials trials(one.attempt, one.model);
+    const auto lost = lost_criteria(trials);
+    ASSERT_FALSE(lost.empty());
+    const auto place = static_cast<std::size_t>(&criterion_of(trials.recorded(), lost.front()) -
+                                                trials.recorded().criteria.data());
+    const Outcome outcome = trials.go({.orders = trials.orders(), .from = 0, .model_from = 0}, {place, 1000});
+    EXPECT_EQ(outcome.result.assessment_hash, lesson::play(one.file.def, one.model).result.assessment_hash);
+}
+
 TEST(WhatIf, ALeverThatIsFoundKeepsTheMustWhenItIsReallyPlayed) {
     const Played one("L15_motor_overhauled.json");
     Trials trials(one.attempt, one.model);
