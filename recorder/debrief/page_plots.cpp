@@ -162,6 +162,9 @@ std::string both_did(const Attempt& attempt, const Attempt& ghost) {
 std::string ghost_choice(const PageContext& page) {
     const Ghost& ghost = *page.options.ghost;
     const Alignment alignment = align(page.attempt, *ghost.attempt);
+    const std::string moved =
+        fmt::format("{}, {:.1f} s {}", alignment.reason, std::abs(alignment.shift),
+                    alignment.shift > 0 ? "later than they were" : "sooner than they were");
     const auto choice = [](const char* id, const char* checked, const std::string& words) {
         return fmt::format("<label><input type=\"radio\" name=\"ghost\" id=\"{}\" autocomplete=\"off\"{}/> "
                            "{}</label>\n",
@@ -172,13 +175,11 @@ std::string ghost_choice(const PageContext& page) {
                     "lesson {}.{}{}</p>\n"
                     "<fieldset><legend>The paler lines</legend>\n",
                     escaped(ghost.name), escaped(both_did(page.attempt, *ghost.attempt)),
-                    fmt::format(" Their lesson is over at {}.", station::clock(ghost.attempt->ended)));
+                    fmt::format(" Theirs ends at {}.", station::clock(ghost.attempt->ended)));
     html += choice("ghost-played", " checked=\"checked\"", "in their own time, from the same beginning");
-    if (std::abs(alignment.shift) > kAlike)
-        html += choice("ghost-aligned", "",
-                       fmt::format("{}, {:.1f} s {}", alignment.reason, std::abs(alignment.shift),
-                                   alignment.shift > 0 ? "later than they were" : "sooner than they were"));
-    return html + choice("ghost-off", "", "out of sight") + "</fieldset>\n";
+    if (std::abs(alignment.shift) > kAlike) html += choice("ghost-aligned", "", moved);
+    html += choice("ghost-off", "", "out of sight") + "</fieldset>\n";
+    return html + fmt::format("<p class=\"moved\">The paler lines are {}.</p>\n", escaped(moved));
 }
 
 } // namespace

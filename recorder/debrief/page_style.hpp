@@ -42,6 +42,7 @@ svg .off { stroke: #767676; stroke-width: 1; fill: none; }
 svg .on { stroke: #111; stroke-width: 8; fill: none; }
 svg .ghost.on { stroke: #6f97bd; stroke-width: 4; stroke-dasharray: 6 4; }
 section:has(#ghost-aligned:checked) .lines .ghost { transform: translateX(var(--ghost-moved)); }
+.moved { display: none; }
 section:has(#ghost-off:checked) .ghost { display: none; }
 fieldset { border: 1px solid #767676; margin: .6rem 0; padding: .2rem .8rem .5rem; }
 label { display: inline-block; margin-right: 1.2rem; }
@@ -72,6 +73,7 @@ figure > p { margin: .8rem 0 .2rem; }
   .wide { overflow: visible; }
   svg { min-width: 0; }
   details, fieldset { display: none; }
+  section:has(#ghost-aligned:checked) fieldset + .moved { display: block; }
   a { color: #111; }
 }
 )";
