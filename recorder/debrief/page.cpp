@@ -63,9 +63,10 @@ std::string page_of(const Attempt& attempt, const PageOptions& options) {
     std::string html =
         fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                    "<title>{} ({})</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n"
+                    "<title>{} ({})</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n"
                     "<h1>{}</h1>\n",
-                    escaped(title), escaped(attempt.origin.recording), kStyle, escaped(title));
+                    escaped(title), escaped(attempt.origin.recording), kStyle,
+                    options.ghost ? kGhostStyle : std::string_view(), escaped(title));
     for (const auto part : {summary_part, result_part, moments_part, pictures_part, plots_part,
                             comparison_part, talk_part, events_part, origin_part})
         html += part(page);

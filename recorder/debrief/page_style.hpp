@@ -40,12 +40,6 @@ svg .flags { stroke: #767676; stroke-width: .7; stroke-dasharray: 1 2; fill: non
 svg .numbers { font-size: 10px; font-weight: 700; }
 svg .off { stroke: #767676; stroke-width: 1; fill: none; }
 svg .on { stroke: #111; stroke-width: 8; fill: none; }
-svg .ghost.on { stroke: #6f97bd; stroke-width: 4; stroke-dasharray: 6 4; }
-section:has(#ghost-aligned:checked) .lines .ghost { transform: translateX(var(--ghost-moved)); }
-.moved { display: none; }
-section:has(#ghost-off:checked) .ghost { display: none; }
-fieldset { border: 1px solid #767676; margin: .6rem 0; padding: .2rem .8rem .5rem; }
-label { display: inline-block; margin-right: 1.2rem; }
 svg .hull { fill: none; stroke: #111; stroke-width: 1.4; }
 svg .swing { fill: none; stroke: #111; stroke-width: 1; stroke-dasharray: 6 4; }
 svg .watch { fill: none; stroke: #111; stroke-width: 1.2; stroke-dasharray: 1.5 3; }
@@ -72,9 +66,22 @@ figure > p { margin: .8rem 0 .2rem; }
   figure, tr, dl { break-inside: avoid; }
   .wide { overflow: visible; }
   svg { min-width: 0; }
-  details, fieldset { display: none; }
-  section:has(#ghost-aligned:checked) fieldset + .moved { display: block; }
+  details { display: none; }
   a { color: #111; }
+}
+)";
+
+/// Of a page with a ghost, and no other: behind the first.
+inline constexpr std::string_view kGhostStyle = R"(
+svg .ghost.on { stroke: #6f97bd; stroke-width: 4; stroke-dasharray: 6 4; }
+section:has(#ghost-aligned:checked) .lines .ghost { transform: translateX(var(--ghost-moved)); }
+section:has(#ghost-off:checked) .ghost { display: none; }
+fieldset { border: 1px solid #767676; margin: .6rem 0; padding: .2rem .8rem .5rem; }
+label { display: inline-block; margin-right: 1.2rem; }
+.moved { display: none; }
+@media print {
+  fieldset { display: none; }
+  section:has(#ghost-aligned:checked) fieldset + .moved { display: block; }
 }
 )";
 
