@@ -15,6 +15,7 @@ using exercise::RunState;
 using run::AlertCondition;
 
 constexpr std::uint64_t kMarkEvery = 30; // ticks
+constexpr double kMoved = -1;            // s: a lever that lay there, and was moved since
 
 std::array<double, 5> values_of(const exercise::Order& order) {
     if (const auto* windlass = std::get_if<exercise::WindlassOrder>(&order))
@@ -47,16 +48,16 @@ std::string source_of(const dds::Mailbox::Sample& sample) {
     return std::visit([](const auto& one) { return one.origin().source().to_string(); }, sample);
 }
 
+std::uint64_t serial_of(const dds::Mailbox::Sample& sample) {
+    return std::visit([](const auto& one) { return one.origin().serial(); }, sample);
+}
+
 std::string text(const Checks::Place& place) {
     return fmt::format("tick {} with {} orders", place.tick, place.orders);
 }
 
 bool before(const Checks::Place& one, const Checks::Place& other) {
     return one.tick < other.tick || one.orders < other.orders;
-}
-
-std::uint64_t hash_at_the_beginning(const exercise::ExerciseDef& def) {
-    return run::Course(exercise::Exercise(def), {}, 0).state_hash();
 }
 
 std::uint64_t assessment_of(const assess::Assessor& assessor) {
@@ -139,17 +140,30 @@ void Checks::hold_against(Line& line) {
     }
 }
 
-/// The line is left at that tick, with as many of its orders as make that state; false: no number does.
-bool Checks::go_on_from(Line& line, std::uint64_t tick, std::uint64_t hash) {
+/// Whether the first so many orders of the line, and those behind them, make that state.
+bool Checks::comes_to(Line& line, std::size_t orders, const State& state) {
+    const auto& [tick, hash, behind] = state;
+    if (behind.empty()) {
+        go_through(line, tick, orders);
+    } else {
+        Line beside;
+        beside.number = ++line_number_, beside.def = line.def, beside.assessor = line.assessor;
+        beside.orders.assign(line.orders.begin(), line.orders.begin() + static_cast<std::ptrdiff_t>(orders));
+        beside.orders.insert(beside.orders.end(), behind.begin(), behind.end());
+        go_through(beside, tick, beside.orders.size());
+    }
+    return undisturbed_->course.exercise().tick() == tick && undisturbed_->course.state_hash() == hash;
+}
+
+/// The line is left at that tick, with as many of its orders as make that state, at that tick or, with the
+/// orders behind them, at a later one; false: no number does.
+bool Checks::go_on_from(Line& line, std::uint64_t tick, const State& state) {
     const auto number = [&](auto order) { return static_cast<std::size_t>(order - line.orders.begin()); };
     const std::size_t least = number(std::ranges::lower_bound(line.orders, tick, {}, &run::OrderView::tick));
     const std::size_t most = number(std::ranges::upper_bound(line.orders, tick, {}, &run::OrderView::tick));
     std::optional<std::size_t> found;
-    for (std::size_t orders = least; orders <= most; ++orders) {
-        go_through(line, tick, orders);
-        if (undisturbed_->course.exercise().tick() == tick && undisturbed_->course.state_hash() == hash)
-            found = orders; // the last of them, where levers were moved and moved back
-    }
+    for (std::size_t orders = least; orders <= most; ++orders)
+        if (comes_to(line, orders, state)) found = orders; // the last, where levers were moved and moved back
     if (!found) return false;
     line.orders.resize(*found);
     std::erase_if(line.marks,
@@ -165,7 +179,7 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
     run_ = session.status().run;
     event_ = 0;
     alerts_.clear();
-    heard_.clear(), left_.clear(), taken_ = 0;
+    heard_.clear(), left_.clear(), serials_.clear(), taken_ = 0;
     levers_ = {};
     listened_ = 0, listened_at_ = 0, ran_ = false;
     tick_ = session.now_tick();
@@ -196,7 +210,7 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
         line().on_disk.reset(), line().handed_over.reset();
         leave_line();
     }
-    while (!go_on_from(line(), tick_, hash)) {
+    while (!go_on_from(line(), tick_, {.tick = tick_, .hash = hash})) {
         lines_.pop_back();
         if (lines_.empty())
             fail("state",
@@ -285,7 +299,7 @@ void Checks::hears(const Sent& sent) {
 }
 
 void Checks::leaves(const wire::WriterId& writer) {
-    left_.push_back(writer);
+    left_.insert(writer);
 }
 
 void Checks::forget_hands() {
@@ -305,10 +319,10 @@ void Checks::look(const run::Session& session, const run::Inbox& inbox, double n
     listened_at_ = now;
     if (inbox.orders.size() + inbox.refusals.size() > 1024 + 32)
         fail("memory", "1024 samples a tick at most", std::to_string(inbox.orders.size()));
+    leave_out_what_was_not_taken(inbox);
     look_at_orders(session);
     for (Levers& levers : levers_) // behind what they sent
-        if (std::ranges::find(left_, levers.writer) != left_.end()) levers.instructor = false;
-    left_.clear();
+        if (left_.contains(levers.writer)) levers.instructor = false;
     look_at_events(session);
     look_at_alerts(session, trouble);
     look_for_silence(session);
@@ -326,23 +340,51 @@ void Checks::look(const run::Session& session, const run::Inbox& inbox, double n
     heard_.clear(), taken_ = 0;
 }
 
+/// Of what was heard, a late word of a writer whose later one was taken already is not, and what found the
+/// mailbox full came behind all that found room.
+void Checks::leave_out_what_was_not_taken(const run::Inbox& inbox) {
+    auto taken = std::ranges::count_if(inbox.orders, [](const run::ReceivedOrder& order) {
+        const auto* command = std::get_if<exercise::Order>(&order.what);
+        return command != nullptr && group_of(*command) >= 0;
+    });
+    std::erase_if(heard_, [&](const Sent& sent) {
+        std::uint64_t& last = serials_[sent.writer];
+        if (taken == 0 || serial_of(sent.sample) <= last) return true;
+        last = serial_of(sent.sample);
+        --taken;
+        return false;
+    });
+    if (taken != 0) fail("levers", "no order but those that were sent", fmt::format("{} more", taken));
+}
+
 void Checks::look_at_orders(const run::Session& session) {
     const auto begin_run = [&] {
         run_ = session.status().run;
         forget_hands();
+        ran_ = false;
         world_.tell(fmt::format("run {} begins at tick {}", run_, session.now_tick()));
         const run::CheckpointView* base = session.checkpoint();
         if (base == nullptr || base->run != run_)
             fail("kept", "a checkpoint at the beginning of each run", "none");
-        if (base->tick == 0 && base->state_hash == hash_at_the_beginning(session.def())) {
-            begin_line(session);
-        } else { // restored
+        // Of the checkpoints since the last look the newest is told: it may have orders of the run in it.
+        State state{.tick = base->tick, .hash = base->state_hash};
+        std::ranges::copy_if(session.orders(), std::back_inserter(state.behind),
+                             [&](const run::OrderView& order) {
+                                 return order.run == run_ && order.number <= base->orders_taken;
+                             });
+        if (state.behind.size() != base->orders_taken)
+            fail("orders", fmt::format("{} of run {}", base->orders_taken, run_),
+                 std::to_string(state.behind.size()));
+        const std::uint64_t begins_at = state.behind.empty() ? base->tick : state.behind.front().tick;
+        begin_line(session);
+        if (begins_at != 0 || !comes_to(line(), 0, state)) { // restored
+            lines_.pop_back();
             leave_line();
-            if (!go_on_from(line(), base->tick, base->state_hash))
+            if (!go_on_from(line(), begins_at, state))
                 fail("state", fmt::format("that of the undisturbed course at tick {}", base->tick),
                      fmt::format("{:016x} after a restore", base->state_hash));
         }
-        branch(session, base->tick);
+        branch(session, begins_at);
     };
     for (const run::OrderView& order : session.orders()) {
         if (order.run != run_ && order.run == session.status().run) begin_run();
@@ -377,7 +419,7 @@ void Checks::look_at_levers(const run::OrderView& order, double) {
         levers.source.clear();
         return;
     }
-    // Taken in the order in which they came; some of them were refused.
+    // Taken in the order in which they came; some were not heard, as an instructor had the levers.
     const auto sent = std::find_if(heard_.begin() + taken_, heard_.end(), [&](const Sent& one) {
         if (group_of(one.sample) != group || source_of(one.sample) != order.source) return false;
         const auto values = values_of(one.sample);
@@ -400,18 +442,21 @@ void Checks::look_at_levers(const run::OrderView& order, double) {
         levers.lay_since = sent->moved_at;
     }
     for (std::size_t k = 0; k < ordered.size(); ++k) {
-        if (ordered[k] == levers.at[k] || (group < 2 && k == 1 && ordered[k] == 0)) continue;
-        if (levers.lay_there && sent->moved_at[k] <= levers.lay_since[k])
-            fail("levers",
-                 fmt::format("lever {} of the {} stays at {:g} until its hand moves it", k, name,
-                             levers.at[k]),
-                 fmt::format("at {:g}, which {} moved {:.2f} s before", ordered[k], order.source,
-                             world_.now() - sent->moved_at[k]));
+        if (sent->moved_at[k] > levers.lay_since[k]) { // it follows its hand from now on, late words of a
+            levers.lay_since[k] = kMoved;              // program that was killed included
+            continue;
+        }
+        if (ordered[k] == levers.at[k] || (group < 2 && k == 1 && ordered[k] == 0) || !levers.lay_there)
+            continue;
+        fail("levers",
+             fmt::format("lever {} of the {} stays at {:g} until its hand moves it", k, name, levers.at[k]),
+             fmt::format("at {:g}, which {} moved {:.2f} s before", ordered[k], order.source,
+                         world_.now() - sent->moved_at[k]));
     }
     levers.moved = sent->moved_at;
     levers.at = ordered;
     levers.source = order.source;
-    levers.instructor = sent->instructor;
+    levers.instructor = sent->instructor && !left_.contains(sent->writer); // his last word may come late
     levers.writer = sent->writer;
     levers.heard = listened_;
 }

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace windlass::sim {
 
@@ -81,11 +82,18 @@ private:
 
     Line& line() { return lines_.back(); }
     void begin_line(const run::Session& session);
-    bool go_on_from(Line& line, std::uint64_t tick, std::uint64_t hash);
+    /// A state that was told, and the orders that were told with it and are in it.
+    struct State {
+        std::uint64_t tick = 0, hash = 0;
+        std::vector<run::OrderView> behind{};
+    };
+    bool comes_to(Line& line, std::size_t orders, const State& state);
+    bool go_on_from(Line& line, std::uint64_t tick, const State& state);
     void leave_line();
     void branch(const run::Session& session, std::uint64_t tick);
     void go_through(Line& line, std::uint64_t tick, std::size_t orders);
     void hold_against(Line& line);
+    void leave_out_what_was_not_taken(const run::Inbox& inbox);
     void look_at_orders(const run::Session& session);
     void look_at_levers(const run::OrderView& order, double now);
     void look_for_silence(const run::Session& session);
@@ -117,9 +125,10 @@ private:
         double heard = 0; // s of listening
     };
     std::array<Levers, 3> levers_;
-    std::vector<Sent> heard_;  // levers, since the last look
-    std::ptrdiff_t taken_ = 0; // of them, up to here
-    std::vector<wire::WriterId> left_;
+    std::vector<Sent> heard_;                         // levers, since the last look
+    std::ptrdiff_t taken_ = 0;                        // of them, up to here
+    std::map<wire::WriterId, std::uint64_t> serials_; // of levers, taken last by this server
+    std::set<wire::WriterId> left_;                   // writers that are there no more
     double listened_ = 0, listened_at_ = 0, ran_since_ = 0;
     bool ran_ = false;
     std::map<std::pair<std::string, int>, run::AlertCondition> alerts_;

@@ -1,6 +1,7 @@
 // Simulated centres: the same seed is the same centre, and what is done to one on purpose is found.
 
 #include "sim/centre.hpp"
+#include "sim/checks.hpp"
 #include "sim/disk.hpp"
 
 #include <gmock/gmock.h>
@@ -60,6 +61,147 @@ TEST(Checks, FindAnEventThatIsNotTold) {
 
 TEST(Checks, FindAnAlertThatIsNotTold) {
     EXPECT_EQ(first_failure(Sabotage::alert_untold, 10), "alerts");
+}
+
+/// A session whose orders come as they are sent, looked at by the checks.
+class Checked {
+public:
+    Checked() { checks_.begins(session_, {.first = true}); }
+
+    run::Session& session() { return session_; }
+    void send(Sent sent) {
+        mailbox_.put(sent.sample, sent.writer, sent.instructor, sent.moved_in_run);
+        checks_.hears(sent);
+    }
+    void leave(const wire::WriterId& writer) {
+        mailbox_.leave(writer);
+        checks_.leaves(writer);
+    }
+    /// A word of a hand at the port windlass, of a writer of that number. moved_at: s, each of its levers.
+    void say(std::uint8_t writer, std::uint64_t serial, WindlassCommand levers, double moved_at = 0,
+             std::uint64_t moved_in_run = 0) {
+        levers.origin().source("anna"), levers.origin().serial(serial);
+        Sent sent{.sample = levers, .writer = {writer}, .moved_in_run = moved_in_run};
+        sent.moved_at.fill(moved_at);
+        send(sent);
+    }
+    void order(ExerciseAction action, double restore_time = 0) {
+        ExerciseCommand command;
+        command.action(action);
+        command.time_scale(1), command.restore_time(restore_time);
+        command.origin().source("desk"), command.origin().serial(++serial_);
+        mailbox_.put(command, {255});
+    }
+    /// Ticks for so many seconds, or once.
+    void go_on(double seconds = 0) {
+        for (const double until = now_ + seconds; now_ <= until; now_ += session_.dt()) {
+            mailbox_.drain(session_.limits(), inbox_);
+            session_.carry_out(inbox_, now_);
+            session_.tick();
+            checks_.look(session_, inbox_, now_, "");
+            session_.clear_news();
+        }
+    }
+    /// What the checks find until the end.
+    std::string failure(double seconds = 0) {
+        try {
+            go_on(seconds);
+            checks_.end();
+        } catch (const Failure& found) {
+            return found.check + ": " + found.expected + ", " + found.found;
+        }
+        return "";
+    }
+
+private:
+    static run::SessionOptions options() {
+        run::SessionOptions options;
+        options.first_run = 100;
+        options.seed = 1;
+        return options;
+    }
+
+    const World world_{1};
+    Checks checks_{world_};
+    run::Session session_{{}, options()};
+    dds::Mailbox mailbox_;
+    run::Inbox inbox_;
+    std::uint64_t serial_ = 0;
+    double now_ = 0; // s
+};
+
+WindlassCommand levers(double brake, double speed_lever = 0) {
+    WindlassCommand levers;
+    levers.brake(brake), levers.speed_lever(speed_lever);
+    return levers;
+}
+
+TEST(Checks, TakeNoWordForTheOneThatWasTakenWhichCameBehindALaterOne) {
+    Checked centre;
+    centre.say(1, 1, levers(1), 0, 99); // lies there from another run
+    centre.say(1, 3, levers(0.5), 3);
+    centre.say(1, 2, levers(1), 0); // refused
+    centre.say(1, 4, levers(1), 4);
+    EXPECT_EQ(centre.failure(), "");
+}
+
+TEST(Checks, KnowALateWordOfAHandsKilledProgram) {
+    Checked centre;
+    centre.say(1, 1, levers(1), 0, 99);
+    centre.say(2, 1, levers(0.5), 2, 100);
+    centre.say(1, 2, levers(1), 0, 99);
+    EXPECT_EQ(centre.failure(), "");
+}
+
+TEST(Checks, KnowALateWordOfAnInstructorWhoHasLetGo) {
+    Checked centre;
+    Sent desk{.sample = levers(0.5), .writer = {3}, .instructor = true};
+    std::get<WindlassCommand>(desk.sample).origin().source("desk");
+    for (std::uint64_t serial = 1; serial <= 2; ++serial) {
+        std::get<WindlassCommand>(desk.sample).origin().serial(serial);
+        centre.send(desk);
+        if (serial == 1) centre.leave(desk.writer);
+        centre.go_on(0.1);
+    }
+    centre.go_on(0.5);
+    centre.say(1, 1, levers(1));
+    EXPECT_EQ(centre.failure(), "");
+}
+
+TEST(Checks, FindAHandThatLayThereAndMovesALeverWithoutAHand) {
+    Checked centre;
+    centre.say(1, 1, levers(1), 0);
+    centre.go_on();
+    centre.order(EXERCISE_RESET);
+    centre.go_on();
+    centre.say(1, 2, levers(0.5), 0); // as no hand can have it
+    EXPECT_THAT(centre.failure(), HasSubstr("levers: lever 0 of the port windlass stays at 1"));
+}
+
+TEST(Checks, KnowARunWhoseFirstCheckpointThatIsToldHasOrdersInIt) {
+    for (const ExerciseAction action : {EXERCISE_RESET, EXERCISE_RESTORE}) {
+        Checked centre;
+        centre.say(1, 1, levers(1));
+        centre.go_on(1);
+        centre.order(EXERCISE_SNAPSHOT);
+        centre.go_on(1);
+        centre.order(action, 1.5);
+        centre.say(1, 2, levers(0.5), 2);
+        centre.order(EXERCISE_SNAPSHOT);
+        centre.order(EXERCISE_START);
+        EXPECT_EQ(centre.failure(1), "") << action;
+    }
+}
+
+TEST(Checks, CountTheSilenceOfARunFromItsBeginning) {
+    Checked centre;
+    centre.say(1, 1, levers(1, -0.5));
+    centre.go_on(1);
+    centre.order(EXERCISE_SNAPSHOT);
+    centre.go_on(kHandSilent);
+    centre.order(EXERCISE_RESTORE, 1.5);
+    centre.order(EXERCISE_START);
+    EXPECT_EQ(centre.failure(2 * kHandSilent), "");
 }
 
 /// Bytes for a file.
