@@ -43,14 +43,15 @@ void add_unseen(const char* topic, const std::array<std::uint64_t, 2>& unseen,
 
 std::optional<std::uint64_t> Serials::accept(std::size_t kind, const wire::WriterId& writer,
                                              const std::string& source, std::uint64_t serial) {
+    std::vector<Entry>& senders = entries_[kind];
     auto entry = std::ranges::find_if(
-        entries_, [&](const Entry& e) { return e.kind == kind && e.writer == writer && e.source == source; });
-    const bool known = entry != entries_.end();
+        senders, [&](const Entry& e) { return e.writer == writer && e.source == source; });
+    const bool known = entry != senders.end();
     if (const std::uint64_t last = known ? entry->serial : 0; serial <= last) return last;
     if (!known)
-        entry = entries_.size() < kSendersRemembered ? entries_.insert(entries_.end(), Entry{})
-                                                     : std::ranges::min_element(entries_, {}, &Entry::used);
-    *entry = {kind, writer, source, serial, ++uses_};
+        entry = senders.size() < kSendersRemembered ? senders.insert(senders.end(), Entry{})
+                                                    : std::ranges::min_element(senders, {}, &Entry::used);
+    *entry = {writer, source, serial, ++uses_};
     return std::nullopt;
 }
 

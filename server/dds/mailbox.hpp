@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -16,10 +17,10 @@
 
 namespace windlass::dds {
 
-/// Remembers the last serial accepted from each sender, for each kind of sample. A client that was started
-/// anew writes with a new writer, so that it may count from 1 again. Clocks of senders order nothing: one
-/// that is far ahead would shut out everybody of its name. That an overheard sample is not sent again by
-/// another writer is for DDS Security to see to.
+/// Remembers the last serial accepted from each sender, for each kind of sample: a flood of one kind makes
+/// no hand forgotten. A client that was started anew writes with a new writer, so that it may count from 1
+/// again. Clocks of senders order nothing: one that is far ahead would shut out everybody of its name. That
+/// an overheard sample is not sent again by another writer is for DDS Security to see to.
 class Serials {
 public:
     /// Accepts a serial above the last one accepted from that sender, or, where there was none, above 0. Any
@@ -29,13 +30,13 @@ public:
 
 private:
     struct Entry {
-        std::size_t kind = 0;
         wire::WriterId writer{};
         std::string source;
         std::uint64_t serial = 0;
         std::uint64_t used = 0;
     };
-    std::vector<Entry> entries_; // bounded: the sender not heard for longest makes room
+    /// By kind; each bounded: the sender not heard for longest makes room.
+    std::map<std::size_t, std::vector<Entry>> entries_;
     std::uint64_t uses_ = 0;
 };
 

@@ -463,6 +463,14 @@ TEST(Serials, ForgetTheSenderNotHeardForLongest) {
     EXPECT_EQ(serials.accept(0, kWriter, "silent", 1), std::nullopt);
 }
 
+TEST(Serials, OfOneKindAreNotForgottenInAFloodOfAnother) {
+    Serials serials;
+    serials.accept(0, kWriter, "trainee-1", 5);
+    for (int i = 0; i < 1000; ++i)
+        serials.accept(5, kWriter, "flood " + std::to_string(i), 1);
+    EXPECT_EQ(serials.accept(0, kWriter, "trainee-1", 4), 5U);
+}
+
 TEST(Mailbox, WriterThatIsGoneIsToldOnceBehindItsLastOrders) {
     Mailbox mailbox;
     run::Inbox inbox;
