@@ -319,7 +319,7 @@ void KeptExercise::sync() {
     const auto began = now_();
     {
         const std::lock_guard lock(mutex_);
-        if (to_sync_.file == synced_.file && to_sync_.size == synced_.size) return;
+        if (!to_sync_.file || (to_sync_.file == synced_.file && to_sync_.size == synced_.size)) return;
         wanted = to_sync_;
         first = synced_.file != wanted.file;
     }
@@ -330,11 +330,12 @@ void KeptExercise::sync() {
             disk_.sync_folder(folder_.parent_path());
         }
         const std::lock_guard lock(mutex_);
+        if (!to_sync_.file) return; // the exercise ended meanwhile
         synced_ = wanted;
         to_sync_.since = began;
     } catch (const std::exception& error) {
         const std::lock_guard lock(mutex_);
-        failure_ = error.what();
+        if (to_sync_.file) failure_ = error.what();
     }
 }
 
