@@ -99,7 +99,7 @@ private:
     std::uint64_t life_ = 0;
     double stalled_until_ = 0, clock_is_off_ = 0; // s
     Loss lost_by_ = Loss::killed;
-    bool rotten_ = false, sabotaged_ = false;
+    bool rotten_ = false, sabotaged_ = false, lost_setting_back_ = false;
     Outcome outcome_;
 };
 
@@ -111,6 +111,9 @@ void Centre::start() {
     Beginning how{.lost_by = lost_by_, .first = life_ == 1, .rotten = rotten_ || disk_.refuses};
     const auto attempts = keep::attempts_file(kFolder);
     how.attempts = disk_.exists(attempts) ? disk_.read(attempts).size() : 0;
+    how.set_back_before =
+        lost_setting_back_ || std::ranges::any_of(keep::kept_files(kFolder, disk_), keep::is_set_back);
+    lost_setting_back_ = lost_setting_back_ || how.attempts >= 2; // until it has begun
     if (plan_.sabotage == Sabotage::last_record_lost && life_ > 1) disk_.lose_the_end(".kept", 60);
     if (chance.in(0.1)) disk_.lose_in(1 + chance.below(12), chance.in(0.5) ? Loss::killed : Loss::power_cut);
     const auto taken = keep::take_up(
@@ -133,6 +136,7 @@ void Centre::start() {
     world_.tell(fmt::format("a server begins: {}{}{}, attempts {}", how.taken_up ? "taken up" : "anew",
                             how.refused.empty() ? "" : ", refused: " + how.refused,
                             how.set_back.empty() ? "" : ", set back: " + how.set_back, how.attempts));
+    lost_setting_back_ = false;
     server_.emplace(world_, disk_, taken && taken->def ? *taken->def : plan_.def, options);
     checks_.begins(server_->session, how);
     lost_by_ = Loss::killed;

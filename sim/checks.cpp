@@ -185,7 +185,7 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
     tick_ = session.now_tick();
     const auto promise = promised(how.lost_by);
     if (!how.taken_up) {
-        const bool excused = how.first || how.rotten || !how.set_back.empty();
+        const bool excused = how.first || how.rotten || !how.set_back.empty() || how.set_back_before;
         if (!how.refused.empty() && how.set_back.empty() && !how.rotten)
             fail("kept", "what was kept is taken up", "refused: " + how.refused);
         if (!excused && promise)
@@ -203,7 +203,7 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
                                 one.handed_over ? ", handed over " + text(*one.handed_over) : "",
                                 one.on_disk ? ", on the disk " + text(*one.on_disk) : "",
                                 one.ended ? ", ended" : ""));
-    if (!how.set_back.empty() && how.attempts < 2)
+    if (!how.set_back.empty() && how.attempts < 2 && !how.set_back_before)
         fail("kept", "taken up where it stopped",
              "set back after " + std::to_string(how.attempts) + " losses: " + how.set_back);
     if (!how.set_back.empty()) { // until the disk has that, the power may bring the line back
@@ -218,7 +218,7 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
                  fmt::format("{:016x}, which is of none", hash));
     }
     const Place here = place();
-    if (promise && how.set_back.empty() && !how.rotten &&
+    if (promise && how.set_back.empty() && !how.rotten && !how.set_back_before &&
         (promise->line > here.line || (promise->line == here.line && before(here, *promise))))
         fail("kept", "taken up at " + text(*promise) + " or later", "taken up at " + text(here));
     if (how.set_back.empty()) { // what was read is there, and there again

@@ -21,6 +21,7 @@ struct Beginning {
     bool taken_up = false;             ///< the exercise stands where it stood, as it says
     std::string refused{}, set_back{}; ///< as in run::Resumption
     std::size_t attempts = 0;          ///< that were counted before
+    bool set_back_before = false;      ///< by one that was lost at it, or before it had a file of its own
     bool rotten = false;               ///< the disk is broken, or a byte was changed that it had
 };
 

@@ -29,6 +29,7 @@ constexpr std::size_t kMaxWaiting = 4096; // orders and checkpoints; levers alon
 constexpr std::uint64_t kLong = 4 << 20;  // bytes: a paused exercise takes no checkpoints, but levers
 constexpr auto kPatience = 3s;            // with a disk, before it is told of
 constexpr auto kClosing = 3s;
+constexpr std::string_view kSetBack = "-set-back";
 
 std::uint64_t number_of(const fs::path& file) {
     return std::strtoull(file.stem().c_str(), nullptr, 10);
@@ -55,6 +56,14 @@ std::vector<fs::path> kept_files(const fs::path& folder, Disk& disk) {
         if (path.extension() == ".kept") files.push_back(std::move(path));
     std::ranges::sort(files, {}, number_of);
     return files;
+}
+
+fs::path set_back_file(const fs::path& behind) {
+    return behind.parent_path() / fmt::format("{:06}{}.kept", number_of(behind) + 1, kSetBack);
+}
+
+bool is_set_back(const fs::path& file) {
+    return file.stem().native().ends_with(kSetBack);
 }
 
 fs::path attempts_file(const fs::path& folder) {

@@ -21,6 +21,10 @@ namespace windlass::keep {
 /// Files of kept exercises in a folder, the oldest first.
 std::vector<std::filesystem::path> kept_files(const std::filesystem::path& folder,
                                               Disk& disk = system_disk());
+/// The file of a checkpoint alone, behind that one, at which an exercise stands that was set back; and
+/// whether a file is one.
+std::filesystem::path set_back_file(const std::filesystem::path& behind);
+bool is_set_back(const std::filesystem::path& file);
 /// Of such a folder: as many bytes as the exercise was taken up and the server lost before its next
 /// checkpoint.
 std::filesystem::path attempts_file(const std::filesystem::path& folder);

@@ -14,7 +14,9 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <span>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -195,10 +197,9 @@ void settle(Disk& disk, std::initializer_list<fs::path> folders) {
     }
 }
 
-/// Puts a file of the checkpoint alone in the place of one that has orders behind it, which goes aside: who
-/// is lost before he has a file of his own stands at that checkpoint again. Throws KeptError, with the old
-/// one still there.
-void leave_checkpoint(Disk& disk, const fs::path& file, const fs::path& alone, const fs::path& aside) {
+/// Leaves the checkpoint of that file alone, without what is behind it, in one of its own: who is lost before
+/// he has a file of his own stands at that checkpoint again. Throws KeptError.
+void leave_checkpoint(Disk& disk, const fs::path& file, const fs::path& alone) {
     const KeptContents contents(file, disk);
     try {
         KeptWriter writer(alone, disk);
@@ -210,19 +211,25 @@ void leave_checkpoint(Disk& disk, const fs::path& file, const fs::path& alone, c
         disk.remove(alone);
         throw;
     }
-    disk.rename(file, aside / file.filename());
 }
 
-/// How often the exercise was taken up since it last came to a checkpoint; this time counts from now on.
-std::size_t count_attempt(Disk& disk, const fs::path& folder) {
-    constexpr std::uint8_t kOne = '.';
+/// How often the exercise was taken up since it last came to a checkpoint.
+std::size_t attempts_at(Disk& disk, const fs::path& folder) {
     const fs::path file = attempts_file(folder);
-    const std::size_t before = disk.exists(file) ? disk.read(file).size() : 0;
+    return disk.exists(file) ? disk.read(file).size() : 0;
+}
+
+void count_attempt(Disk& disk, const fs::path& folder) {
+    constexpr std::uint8_t kOne = '.';
     try {
-        disk.append(file, {&kOne, 1});
+        disk.append(attempts_file(folder), {&kOne, 1});
     } catch (const std::system_error&) { // a full disk hinders no start
     }
-    return before;
+}
+
+void forget_attempts(Disk& disk, const fs::path& folder) {
+    disk.remove(attempts_file(folder));
+    settle(disk, {folder});
 }
 
 TakenUp taken_up(const Kept& kept, const run::Course& course, const TakeUp& wanted) {
@@ -236,54 +243,108 @@ TakenUp taken_up(const Kept& kept, const run::Course& course, const TakeUp& want
     return taken;
 }
 
-/// The state that was kept last goes aside, and the checkpoint before it is gone on from, without the orders
-/// behind it; without one, the exercise begins from its file. files: the last can be opened. Throws
-/// KeptError.
-TakenUp set_back(Disk& disk, std::vector<fs::path> files, const fs::path& folder, const std::string& id,
-                 const fs::path& aside, const TakeUp& wanted) {
-    const fs::path place = free_place(disk, aside, id);
-    disk.make_folder(place);
-    const auto move_newest = [&] {
-        disk.rename(files.back(), place / files.back().filename());
-        files.pop_back();
-    };
-    const fs::path last_place = files.back();
-    const auto newest = open_kept(disk, files.back(), id, wanted).value();
-    const double lost_at = newest.reached.empty() ? newest.checkpoint.time() : newest.reached.back().time();
-    TakenUp taken;
-    for (move_newest(); !files.empty(); move_newest()) {
-        try {
-            const auto kept = open_kept(disk, files.back(), id, wanted);
-            if (!kept || kept->checkpoint.time() >= lost_at)
-                continue; // where it was taken up, and lost again
-            taken = taken_up(*kept, begin(*kept, wanted), wanted);
-            break;
-        } catch (const KeptError&) { // the one before, then
-        }
-    }
-    try {
-        if (taken.def) leave_checkpoint(disk, files.back(), last_place, place);
-    } catch (const KeptError&) { // a disk that takes nothing: it stands there all the same, until it is lost
-    }
-    disk.remove(attempts_file(folder));
-    settle(disk, {place, aside, folder});
-    const std::string why = fmt::format("its state at {} ended the server {} times and lies in {}",
-                                        run::clock_text(lost_at), kMaxAttempts, place.string());
+/// Says of an exercise that was set back to there which state ended the server, and in which folder it lies.
+TakenUp tell_set_back(TakenUp taken, const std::string& state, const fs::path& place) {
+    const std::string why =
+        fmt::format("{} ended the server {} times and lies in {}", state, kMaxAttempts, place.string());
     taken.how.set_back = why + (taken.def ? "; it stands at the checkpoint before, paused"
                                           : "; it begins from its file, and waits to be started");
     taken.how.refused = taken.def ? "" : why;
     return taken;
 }
 
+/// Where an exercise is set back to.
+struct Checkpointed {
+    fs::path file;
+    double time = 0; ///< s of exercise, of its checkpoint
+    TakenUp taken;
+};
+
+/// The newest checkpoint of these files that is before that time (s); nothing: there is none.
+std::optional<Checkpointed> checkpoint_before(double time, Disk& disk, std::span<const fs::path> files,
+                                              const std::string& id, const TakeUp& wanted) {
+    for (auto file = files.rbegin(); file != files.rend(); ++file) {
+        try {
+            const auto kept = open_kept(disk, *file, id, wanted);
+            if (kept && kept->checkpoint.time() < time) // not where it was taken up, and lost again
+                return Checkpointed{.file = *file,
+                                    .time = kept->checkpoint.time(),
+                                    .taken = taken_up(*kept, begin(*kept, wanted), wanted)};
+        } catch (const KeptError&) { // the one before, then
+        }
+    }
+    return std::nullopt;
+}
+
+/// Of an exercise that was set back to that: what it is not to be taken up from any more.
+std::vector<fs::path> left_behind(const std::optional<Checkpointed>& stands, Disk& disk,
+                                  const std::vector<fs::path>& files, const std::string& id,
+                                  const TakeUp& wanted) {
+    std::vector<fs::path> left;
+    std::copy_if(files.rbegin(), files.rend(), std::back_inserter(left), [&](const fs::path& file) {
+        if (!stands) return true;
+        if (file == stands->file) return false;
+        try {
+            const auto kept = open_kept(disk, file, id, wanted);
+            return !kept || kept->checkpoint.time() >= stands->time;
+        } catch (const KeptError&) {
+            return true;
+        }
+    });
+    return left;
+}
+
+/// The state that was kept last goes aside, and the checkpoint before it is gone on from, without the orders
+/// behind it; without one, the exercise begins from its file. A server that is lost in the midst of it, or
+/// before it had a file of its own, is followed by one that stands at the same checkpoint and says so, too.
+/// files: the last can be opened. Throws KeptError.
+TakenUp set_back(Disk& disk, const std::vector<fs::path>& files, const fs::path& folder,
+                 const std::string& id, const fs::path& aside, const TakeUp& wanted, std::size_t attempts) {
+    const bool again = is_set_back(files.back()) && attempts < kMaxAttempts;
+    const auto newest = open_kept(disk, files.back(), id, wanted).value();
+    const double lost_at = newest.reached.empty() ? newest.checkpoint.time() : newest.reached.back().time();
+    constexpr double kAny = std::numeric_limits<double>::infinity();
+    const std::span all(files);
+    auto stands = again ? checkpoint_before(kAny, disk, all, id, wanted)
+                        : checkpoint_before(lost_at, disk, all.first(all.size() - 1), id, wanted);
+    if (stands && !again) {
+        forget_attempts(disk, folder); // what is counted beside the new file is counted of it
+        try {
+            const fs::path alone = set_back_file(files.back());
+            leave_checkpoint(disk, stands->file, alone);
+            stands->file = alone;
+        } catch (const KeptError&) {
+            // A disk that takes nothing: it stands there all the same, until it is lost.
+        }
+    }
+    fs::path place = aside;
+    if (const auto left = left_behind(stands, disk, files, id, wanted); !left.empty()) {
+        place = free_place(disk, aside, id);
+        disk.make_folder(place);
+        for (const fs::path& file : left)
+            disk.rename(file, place / file.filename());
+    }
+    settle(disk, {place, aside, folder});
+    if (!stands) forget_attempts(disk, folder); // as long as it is there, nobody was told
+    return tell_set_back(stands ? std::move(stands->taken) : TakenUp{},
+                         again ? "its last state" : "its state at " + run::clock_text(lost_at), place);
+}
+
 std::optional<TakenUp> look_for(Disk& disk, const fs::path& folder, const std::string& id,
                                 const fs::path& aside, const TakeUp& wanted) {
     auto files = kept_files(folder, disk);
-    if (files.empty()) return std::nullopt;
-    const bool once_too_often = count_attempt(disk, folder) >= kMaxAttempts;
+    const std::size_t attempts = attempts_at(disk, folder);
+    if (files.empty() && attempts <= kMaxAttempts) return std::nullopt;
+    if (files.empty()) { // set back, and lost before anybody was told
+        forget_attempts(disk, folder);
+        return tell_set_back({}, "its last state", aside);
+    }
+    count_attempt(disk, folder);
     try {
         for (; !files.empty(); files.pop_back()) {
             const auto kept = open_kept(disk, files.back(), id, wanted);
-            if (kept && once_too_often) return set_back(disk, std::move(files), folder, id, aside, wanted);
+            if (kept && (attempts >= kMaxAttempts || is_set_back(files.back())))
+                return set_back(disk, files, folder, id, aside, wanted, attempts);
             if (kept) return taken_up(*kept, work_again(*kept, wanted), wanted);
             disk.remove(files.back()); // lost before it was whole: the one before goes up to the same tick
         }

@@ -1,5 +1,6 @@
 // Keeping on a simulated disk (sim/), which may be slow and lose its power at any call.
 
+#include "server/keep/take_up.hpp"
 #include "sim/disk.hpp"
 #include "tests/keep/let_go.hpp"
 
@@ -8,16 +9,21 @@
 namespace windlass::keep {
 namespace {
 
+using sim::Loss;
 using sim::SimDisk;
 using sim::World;
 using test::LetGo;
+using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
 
 const std::filesystem::path kFolder = "/kept/exercise-anna", kAside = "/kept/aside";
 
 /// A server runs the let-go up to that tick.
 void keep_up_to(std::uint64_t tick, KeptExercise& kept, LetGo& let_go) {
     let_go.look(&kept);
+    kept.write_waiting();
+    if (!let_go.session().running()) let_go.give(run::RunAction::start);
     while (let_go.session().now_tick() < tick) {
         let_go.go_to(std::min(let_go.session().now_tick() + 30, tick), &kept);
         kept.write_waiting();
@@ -45,6 +51,123 @@ TEST(SimulatedDisk, ThatIsWaitedForWhileTheExerciseEndsIsNotWaitedForAgain) {
     let_go.look(&kept);
     EXPECT_EQ(kept.trouble(), "");
     EXPECT_THAT(kept_files(kFolder, disk), IsEmpty());
+}
+
+std::optional<TakenUp> start(SimDisk& disk, std::uint64_t definition_hash = test::let_go_hash()) {
+    return take_up(kFolder, "anna", kAside, {.definition_hash = definition_hash, .check = {}}, disk);
+}
+
+/// What is kept of the let-go at that tick, on a disk of its own.
+class KeptAt {
+public:
+    explicit KeptAt(std::uint64_t tick) { go_on(tick, {}); }
+    /// Taken up by another server, which runs it up to that tick.
+    void go_on(std::uint64_t tick) { go_on(tick, start(disk_)->how); }
+    /// The same on that disk, which has it.
+    void copy_to(SimDisk& disk) {
+        disk.make_folder(kFolder);
+        for (const auto& path : disk_.list(kFolder)) {
+            const auto file = disk.make(path);
+            file->append(disk_.read(path));
+            file->sync();
+        }
+        disk.sync_folder(kFolder);
+    }
+
+private:
+    void go_on(std::uint64_t tick, std::optional<run::Resumption> from) {
+        KeptExercise kept(kFolder, "anna", test::let_go_hash(), disk_, [this] { return world_.time(); });
+        LetGo let_go(std::move(from));
+        keep_up_to(tick, kept, let_go);
+        kept.write_waiting();
+    }
+
+    World world_{1};
+    SimDisk disk_{world_};
+};
+
+double time(const std::optional<TakenUp>& taken) {
+    return taken && taken->def ? LetGo(taken->how).session().now_time() : -1;
+}
+
+/// A server starts, and is lost in its k-th call to the disk; false: it makes less of them.
+bool lost_in(std::uint64_t k, Loss how, SimDisk& disk) {
+    disk.lose_in(k, how);
+    try {
+        start(disk);
+    } catch (const sim::Crash&) {
+        disk.lose(how);
+        return true;
+    }
+    disk.lose(how);
+    return false;
+}
+
+TEST(SetBack, StandsAtTheSameCheckpointAtWhateverCallToTheDiskItsServerIsLost) {
+    KeptAt kept(3100); // of checkpoints at 0 and at 10 s
+    kept.go_on(3200);
+    for (const Loss how : {Loss::killed, Loss::power_cut}) {
+        bool lost = true;
+        for (std::uint64_t k = 1; lost; ++k) {
+            World world(k);
+            SimDisk disk(world);
+            kept.copy_to(disk);
+            start(disk);
+            disk.sync_folder(kFolder);
+            lost = lost_in(k, how, disk);
+            auto next = start(disk);
+            for (int start_again = 0; start_again < 2 && next && next->how.set_back.empty(); ++start_again)
+                next = start(disk); // the power took what was counted
+            ASSERT_TRUE(next) << k;
+            EXPECT_THAT(next->how.set_back, HasSubstr("ended the server 2 times and lies in /kept/aside"))
+                << k;
+            EXPECT_EQ(time(next), 10) << k;
+        }
+    }
+}
+
+TEST(SetBack, ToTheBeginningIsToldThoughItsServerIsLostAtIt) {
+    KeptAt kept(600); // of a checkpoint at 0
+    bool lost = true;
+    for (std::uint64_t k = 1; lost; ++k) {
+        World world(k);
+        SimDisk disk(world);
+        kept.copy_to(disk);
+        start(disk), start(disk);
+        lost = lost_in(k, Loss::killed, disk);
+        const auto next = start(disk);
+        if (!next) continue; // lost at the last call: all is done
+        EXPECT_FALSE(next->def) << k;
+        EXPECT_THAT(next->how.set_back, HasSubstr("it begins from its file, and waits to be started")) << k;
+        EXPECT_FALSE(start(disk)) << k;
+    }
+}
+
+TEST(SetBack, CountsTheLossesOfTheServersThatStandThere) {
+    KeptAt kept(6100);
+    World world(1);
+    SimDisk disk(world);
+    kept.copy_to(disk);
+    start(disk), start(disk); // and are lost
+    for (int k = 0; k < 3; ++k)
+        EXPECT_EQ(time(start(disk)), 10);
+    const auto anew = start(disk);
+    ASSERT_TRUE(anew && !anew->def) << "the checkpoint ended two servers as well";
+    EXPECT_THAT(anew->how.set_back, HasSubstr("it begins from its file"));
+}
+
+TEST(PutAside, StaysThereAfterAPowerCut) {
+    KeptAt kept(400);
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+        World world(seed);
+        SimDisk disk(world);
+        kept.copy_to(disk);
+        const auto refused = start(disk, 1);
+        ASSERT_TRUE(refused && !refused->def);
+        disk.lose(Loss::power_cut);
+        EXPECT_THAT(kept_files(kFolder, disk), IsEmpty()) << seed;
+        EXPECT_THAT(kept_files(kAside / "anna-1", disk), SizeIs(1)) << seed;
+    }
 }
 
 } // namespace
