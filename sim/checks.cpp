@@ -161,13 +161,18 @@ bool Checks::go_on_from(Line& line, std::uint64_t tick, const State& state) {
     const auto number = [&](auto order) { return static_cast<std::size_t>(order - line.orders.begin()); };
     const std::size_t least = number(std::ranges::lower_bound(line.orders, tick, {}, &run::OrderView::tick));
     const std::size_t most = number(std::ranges::upper_bound(line.orders, tick, {}, &run::OrderView::tick));
+    const auto told = line.checkpoints.find(tick);
     std::optional<std::size_t> found;
-    for (std::size_t orders = least; orders <= most; ++orders)
-        if (comes_to(line, orders, state)) found = orders; // the last, where levers were moved and moved back
+    for (std::size_t orders = least; orders <= most; ++orders) {
+        if (!comes_to(line, orders, state)) continue;
+        found = orders; // the last, where levers were moved and moved back
+        if (!state.behind.empty() && told != line.checkpoints.end() && told->second == orders) break;
+    }
     if (!found) return false;
     line.orders.resize(*found);
     std::erase_if(line.marks,
                   [&](const Line::Mark& mark) { return mark.tick > tick || mark.orders > *found; });
+    std::erase_if(line.checkpoints, [&](const auto& one) { return one.first > tick || one.second > *found; });
     if (undisturbed_->orders > *found)
         undisturbed_.reset();
     else
@@ -190,6 +195,7 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
             fail("kept", "what was kept is taken up", "refused: " + how.refused);
         if (!excused && promise)
             fail("kept", "taken up at " + text(*promise) + " or later", "begins anew: nothing was kept");
+        old_stays_ = old_stays_ || (!how.first && how.rotten);
         for (Line& left : lines_) // until the disk has the new one, the power may bring them back
             left.handed_over.reset(), left.on_disk.reset();
         begin_line(session);
@@ -206,12 +212,13 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
     if (!how.set_back.empty() && how.attempts < 2 && !how.set_back_before)
         fail("kept", "taken up where it stopped",
              "set back after " + std::to_string(how.attempts) + " losses: " + how.set_back);
-    if (!how.set_back.empty()) { // until the disk has that, the power may bring the line back
-        line().on_disk.reset(), line().handed_over.reset();
-        leave_line();
-    }
-    while (!go_on_from(line(), tick_, {.tick = tick_, .hash = hash})) {
+    const bool back = !how.set_back.empty();
+    if (back) line().on_disk.reset(), line().handed_over.reset();
+    for (;;) {
+        if (back) leave_line(); // until the disk has that, the power may bring the line back
+        if (go_on_from(line(), tick_, {.tick = tick_, .hash = hash})) break;
         lines_.pop_back();
+        if (back) lines_.pop_back();
         if (lines_.empty())
             fail("state",
                  fmt::format("that of the undisturbed course at tick {}, with orders that were taken", tick_),
@@ -271,8 +278,8 @@ void Checks::handed_over(const Place& place) {
 void Checks::on_disk(const Place& place) {
     for (Line& one : lines_)
         if (one.number == place.line) one.on_disk = place;
-    // Of what was left before that course began, nothing comes back.
-    while (lines_.front().number < place.line)
+    // Of what was left before that course began, nothing comes back, if it could be put aside.
+    while (!old_stays_ && lines_.front().number < place.line)
         lines_.pop_front();
 }
 
@@ -321,6 +328,8 @@ void Checks::look(const run::Session& session, const run::Inbox& inbox, double n
         fail("memory", "1024 samples a tick at most", std::to_string(inbox.orders.size()));
     leave_out_what_was_not_taken(inbox);
     look_at_orders(session);
+    if (const auto* checkpoint = session.checkpoint())
+        line().checkpoints[checkpoint->tick] = run_base_ + checkpoint->orders_taken;
     for (Levers& levers : levers_) // behind what they sent
         if (left_.contains(levers.writer)) levers.instructor = false;
     look_at_events(session);

@@ -71,6 +71,8 @@ private:
             std::uint64_t hash = 0, assessment = 0;
         };
         std::vector<Mark> marks;
+        std::map<std::uint64_t, std::size_t>
+            checkpoints; // that were told: how many orders are in it, by tick
         std::optional<Place> handed_over, on_disk;
         bool ended = false; // nothing of it need be kept
     };
@@ -108,6 +110,7 @@ private:
     const World& world_;
     std::list<Line> lines_; // of which a server that is lost may come back to; the newest is the present one
     std::uint64_t line_number_ = 0;
+    bool old_stays_ = false; // the disk refused to have an old course put aside
     std::optional<Undisturbed> undisturbed_;
 
     std::uint64_t tick_ = 0, seen_ = 0, digest_ = 14695981039346656037ULL;

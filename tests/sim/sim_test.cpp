@@ -68,7 +68,6 @@ class Checked {
 public:
     Checked() { checks_.begins(session_, {.first = true}); }
 
-    run::Session& session() { return session_; }
     void send(Sent sent) {
         mailbox_.put(sent.sample, sent.writer, sent.instructor, sent.moved_in_run);
         checks_.hears(sent);
