@@ -240,10 +240,10 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
 void Checks::leave_line() {
     Line beside = line();
     beside.number = ++line_number_;
+    if (undisturbed_ && undisturbed_->line == line().number) undisturbed_->line = beside.number;
     beside.handed_over.reset(), beside.on_disk.reset();
     beside.ended = false;
     lines_.push_back(std::move(beside));
-    if (undisturbed_) undisturbed_->line = line_number_;
 }
 
 /// The run that begins goes on from the end of the line.
