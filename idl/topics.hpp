@@ -183,6 +183,20 @@ inline constexpr Topic<SeatEvent> bridge_instruction{{.name = "BridgeInstruction
                                                       .reliable = true,
                                                       .transient_local = true,
                                                       .depth = 100}};
+inline constexpr Topic<Question> forecastle_question{{.name = "ForecastleQuestion",
+                                                      .type = "Question",
+                                                      .from_server = true,
+                                                      .rate = 0,
+                                                      .reliable = true,
+                                                      .transient_local = true,
+                                                      .depth = 1}};
+inline constexpr Topic<Question> bridge_question{{.name = "BridgeQuestion",
+                                                  .type = "Question",
+                                                  .from_server = true,
+                                                  .rate = 0,
+                                                  .reliable = true,
+                                                  .transient_local = true,
+                                                  .depth = 1}};
 inline constexpr Topic<Alert> alert{{.name = "Alert",
                                      .type = "Alert",
                                      .from_server = true,
@@ -329,6 +343,20 @@ inline constexpr Topic<DeckWorkCommand> deck_work_command{{.name = "DeckWorkComm
                                                            .rate = 0,
                                                            .reliable = true,
                                                            .depth = 64}};
+inline constexpr Topic<Answer> forecastle_answer{{.name = "ForecastleAnswer",
+                                                  .type = "Answer",
+                                                  .from_server = false,
+                                                  .rate = 0,
+                                                  .reliable = true,
+
+                                                  .depth = 64}};
+inline constexpr Topic<Answer> bridge_answer{{.name = "BridgeAnswer",
+                                              .type = "Answer",
+                                              .from_server = false,
+                                              .rate = 0,
+                                              .reliable = true,
+
+                                              .depth = 64}};
 inline constexpr Topic<AlertCommand> alert_command{{.name = "AlertCommand",
                                                     .type = "AlertCommand",
                                                     .from_server = false,
@@ -384,7 +412,7 @@ inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCo
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 47> all{exercise_status,
+inline constexpr std::array<TopicInfo, 51> all{exercise_status,
                                                exercise_truth,
                                                environment_state,
                                                ship_state,
@@ -406,6 +434,8 @@ inline constexpr std::array<TopicInfo, 47> all{exercise_status,
                                                seat_event,
                                                forecastle_instruction,
                                                bridge_instruction,
+                                               forecastle_question,
+                                               bridge_question,
                                                alert,
                                                server_alert,
                                                bridge_order,
@@ -427,6 +457,8 @@ inline constexpr std::array<TopicInfo, 47> all{exercise_status,
                                                watch_circle,
                                                lights_and_shapes_command,
                                                deck_work_command,
+                                               forecastle_answer,
+                                               bridge_answer,
                                                alert_command,
                                                assessment_command,
                                                replay_status,

@@ -25,6 +25,25 @@ bool worth_telling(const exercise::ExerciseEvent& event) {
 }
 
 constexpr const char* kChanceName = "chance";
+
+/// A freeze: each seat answers what it is asked, and where none has an answer the exercise goes on without.
+void answer_questions(run::Session& session, std::vector<Seat>& seats) {
+    while (session.held()) {
+        for (const run::QuestionView& question : session.questions())
+            for (Seat& seat : seats)
+                seat.ask(question);
+        run::Inbox inbox;
+        for (const Seat& seat : seats)
+            for (run::ReceivedOrder& order : seat.answer())
+                inbox.orders.push_back(std::move(order));
+        if (inbox.orders.empty()) {
+            run::RunOrder start;
+            start.action = run::RunAction::start;
+            inbox.orders.push_back({"instructor", start});
+        }
+        session.carry_out(inbox, session.snapshot().time);
+    }
+}
 } // namespace
 
 exercise::EnvironmentOrder another_sea(const exercise::Snapshot& seen, double more_water,
@@ -96,6 +115,7 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
         }
         session.carry_out(inbox, session.snapshot().time);
         if (!session.tick()) throw std::runtime_error(def.name + ": " + session.failure());
+        answer_questions(session, seats);
         for (const exercise::ExerciseEvent& event : session.events()) {
             for (Seat& seat : seats)
                 seat.notice(event, session.snapshot());

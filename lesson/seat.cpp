@@ -32,6 +32,7 @@ Seat::Seat(Part part, const exercise::ExerciseDef& def, std::string name)
       name_(std::move(name)),
       aids_(perceive::seat_aids(def)),
       ship_(perceive::seat_ship(def)),
+      answers_(part.script.answers),
       player_(std::move(part.script), side_) {
     for (const exercise::GroundTackleDef& tackle : def.tackle)
         if (static_cast<int>(tackle.side) == side_)
@@ -112,6 +113,28 @@ void Seat::perform(const trainee::Step& step, std::vector<run::ReceivedOrder>& o
                                      .value = step.order->value,
                                      .text = step.order->text,
                                      .by = name_}}});
+}
+
+void Seat::ask(const run::QuestionView& question) {
+    if (conns_ && question.forecastle) return; // put to another
+    Question sample;
+    dds::convert(question, sample);
+    if (question.forecastle)
+        picture_.take_forecastle_question(sample, at(question.time));
+    else
+        picture_.take_bridge_question(sample, at(question.time));
+}
+
+std::vector<run::ReceivedOrder> Seat::answer() const {
+    std::vector<run::ReceivedOrder> orders;
+    for (const bool forecastle : {true, false}) {
+        const auto& asked = picture_.questions.at(forecastle ? 0 : 1);
+        if (!asked || asked->id().size() == 0) continue;
+        if (const auto answer = trainee::answer_to(*asked, answers_))
+            orders.push_back({name_, forecastle ? dds::order(dds::ForecastleAnswer{*answer})
+                                                : dds::order(dds::BridgeAnswer{*answer})});
+    }
+    return orders;
 }
 
 /// Keys set no wheel between two of their steps: he opens it until the cable runs as fast as he likes it, and

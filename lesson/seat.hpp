@@ -21,6 +21,11 @@ public:
     /// He hears a report of the forecastle, as a bridge does. time: s.
     void hear(const Report& report, double time);
     void hear(const exercise::ReportMade& report, double time);
+    /// He is asked something at a freeze, or nothing any more.
+    void ask(const run::QuestionView& question);
+    /// His answers to what he is asked; none: he has none, or is not asked. Throws std::runtime_error where
+    /// his script answers what the question does not allow.
+    std::vector<run::ReceivedOrder> answer() const;
     /// What he does now; his windlass's levers every time, as a station sends them.
     std::vector<run::ReceivedOrder> act();
 
@@ -46,6 +51,7 @@ private:
     std::string name_;
     perceive::SeatAids aids_;
     perceive::SeatShip ship_;
+    trainee::QuestionAnswers answers_;
     trainee::Player player_;
     station::Picture picture_;
     station::LeverSet levers_;

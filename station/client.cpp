@@ -92,6 +92,10 @@ struct Client::Link {
         hear(on_forecastle(seat), wire::topics::forecastle_instruction, &Picture::take_instruction);
     Ear<SeatEvent> bridge_instruction =
         hear(on_bridge(seat), wire::topics::bridge_instruction, &Picture::take_instruction);
+    Ear<Question> forecastle_question =
+        hear(on_forecastle(seat), wire::topics::forecastle_question, &Picture::take_forecastle_question);
+    Ear<Question> bridge_question =
+        hear(on_bridge(seat), wire::topics::bridge_question, &Picture::take_bridge_question);
 
     Ear<ExerciseTruth> truth = hear(has_truth(seat), wire::topics::exercise_truth);
     Ear<ShipState> ship = hear(has_truth(seat), wire::topics::ship_state);

@@ -119,6 +119,14 @@ void Picture::receive(const Event& sample, Clock::time_point) {
 void Picture::receive(const SeatEvent& sample, Clock::time_point) {
     seat_events.receive(sample);
 }
+void Picture::take_forecastle_question(const Question& sample, Clock::time_point now) {
+    put(questions[0], sample, now);
+}
+
+void Picture::take_bridge_question(const Question& sample, Clock::time_point now) {
+    put(questions[1], sample, now);
+}
+
 void Picture::take_instruction(const SeatEvent& sample, Clock::time_point) {
     instructions[sample.forecastle() ? 0 : 1].receive(sample);
 }

@@ -124,6 +124,8 @@ struct Picture {
     EventLog<SeatEvent> seat_events;
     /// Briefing and hints that are told to one seat alone: forecastle, bridge.
     std::array<EventLog<SeatEvent>, 2> instructions;
+    /// What is asked at a freeze: forecastle, bridge; an empty id: nothing any more.
+    std::array<Latest<Question>, 2> questions;
     Log<Report> reports; ///< of the forecastle, as a bridge hears them: none while its VHF is dead
 
     Latest<ExerciseTruth> truth; ///< the truth, this and all below
@@ -143,6 +145,8 @@ struct Picture {
     void receive(const Event& sample, Clock::time_point now);
     void receive(const SeatEvent& sample, Clock::time_point now);
     void take_instruction(const SeatEvent& sample, Clock::time_point now);
+    void take_forecastle_question(const Question& sample, Clock::time_point now);
+    void take_bridge_question(const Question& sample, Clock::time_point now);
     void receive(const Alert& sample, Clock::time_point now);
     void receive(const BridgeOrder& sample, Clock::time_point now);
     void receive(const Report& sample, Clock::time_point now);

@@ -336,4 +336,29 @@ bool Orders::any() const {
            stopper_closed || emergency_stop;
 }
 
+std::optional<Answer> answer_to(const Question& question, const QuestionAnswers& answers) {
+    const std::string id = question.id().to_string();
+    const auto found = answers.find(id);
+    if (found == answers.end()) return std::nullopt;
+    Answer answer;
+    answer.question() = id;
+    const auto* number = std::get_if<double>(&found->second);
+    if (number != nullptr && question.choices().empty()) {
+        answer.kind(ANSWER_NUMBER);
+        answer.value(*number);
+        return answer;
+    }
+    const auto said = [&](const QuestionChoice& choice) {
+        return number == nullptr && choice.text() == std::get<std::string>(found->second);
+    };
+    const auto choice = std::ranges::find_if(question.choices(), said);
+    if (choice == question.choices().end())
+        throw std::runtime_error(
+            fmt::format("the script's answer to \"{}\" is none that the question allows: {}", id,
+                        question.choices().empty() ? "a number" : "the text of one of its choices"));
+    answer.kind(ANSWER_CHOICE);
+    answer.choice(static_cast<std::uint32_t>(choice - question.choices().begin()));
+    return answer;
+}
+
 } // namespace windlass::trainee

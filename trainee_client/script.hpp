@@ -5,9 +5,12 @@
 #include "station/lever_sender.hpp"
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace windlass::trainee {
@@ -121,6 +124,13 @@ struct Step {
     double timeout = 0; ///< s of exercise time
 };
 
+/// To a question at a freeze, by its id: a number in its unit, or the text of one of its choices.
+using QuestionAnswers = std::map<std::string, std::variant<double, std::string>, std::less<>>;
+
+/// The answer as it is sent, but for its origin; nothing: there is none to that question. Throws
+/// std::runtime_error when it is none of those that the question allows.
+std::optional<Answer> answer_to(const Question& question, const QuestionAnswers& answers);
+
 struct Script {
     std::string title;
     int side = SIDE_PORT;
@@ -130,6 +140,7 @@ struct Script {
     bool conns = false;           ///< gives orders, and so has no windlass
     bool mate = false;            ///< works the windlass as the bridge orders, in place of steps
     std::vector<Step> steps;
+    QuestionAnswers answers{}; ///< to what its seat is asked
 };
 
 /// Reads a script. Throws exercise::ConfigError naming every fault: file, JSON pointer, value, what is

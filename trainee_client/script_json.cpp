@@ -210,6 +210,13 @@ Script load_script(const std::filesystem::path& file, Eyes eyes) {
     if (script.mate && !script.repeats_orders) script.repeats_orders = kRepeatsAfter;
     for (const json& step : document.at("steps"))
         script.steps.push_back(read_step(step, timeout));
+    if (document.contains("answers"))
+        for (const auto& [id, answer] : document.at("answers").items()) {
+            if (answer.is_string())
+                script.answers[id] = answer.get<std::string>();
+            else
+                script.answers[id] = answer.get<double>();
+        }
     script.conns = std::ranges::any_of(script.steps, [](const Step& step) { return step.order.has_value(); });
     return script;
 }

@@ -5,12 +5,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace windlass::trainee {
 
 using station::Picture;
 
 namespace {
 
+/// s of wall time for which one without an answer leaves it to another at his seat.
+constexpr double kAtALoss = 5;
 constexpr double kServerLost = 5; // s of silence without any publisher: DDS has given the server up
 
 } // namespace
@@ -23,18 +27,24 @@ Trainee::Trainee(station::Client& client, int side, std::optional<Script> script
     if (station::on_forecastle(client.seat())) {
         reports_.emplace(client.participant(), wire::topics::report);
         deck_works_.emplace(client.participant(), wire::topics::deck_work_command);
+        answers_to_[0].emplace(client.participant(), wire::topics::forecastle_answer);
     }
     if (station::on_bridge(client.seat())) {
         lights_and_shapes_.emplace(client.participant(), wire::topics::lights_and_shapes_command);
         circles_.emplace(client.participant(), wire::topics::watch_circle);
+        answers_to_[1].emplace(client.participant(), wire::topics::bridge_answer);
     }
     if (client.seat() == station::Seat::conning)
         orders_.emplace(client.participant(), wire::topics::bridge_order_command);
     if (const auto status = client.picture().status) came_at_ = status->time();
-    if (script) player_.emplace(std::move(*script), side);
+    if (!script) return;
+    answers_ = script->answers;
+    player_.emplace(std::move(*script), side);
 }
 
 Trainee::~Trainee() {
+    for (auto& answer : answers_to_)
+        if (answer) answer->wait_acknowledged(std::chrono::seconds{1});
     if (orders_) orders_->wait_acknowledged(std::chrono::seconds{1});
     if (circles_) circles_->wait_acknowledged(std::chrono::seconds{1});
     if (lights_and_shapes_) lights_and_shapes_->wait_acknowledged(std::chrono::seconds{1});
@@ -57,6 +67,7 @@ Trainee::Outcome Trainee::work() {
     if (player_ && begun_) {
         for (const Step* step : player_->advance(picture))
             perform(*step, picture);
+        answer_questions(picture, now);
         if (player_->failure()) {
             reason_ = *player_->failure();
             return Outcome::failed;
@@ -85,7 +96,10 @@ bool Trainee::heard() const {
     return (!reports_ || client_.server_hears(*reports_)) &&
            (!deck_works_ || client_.server_hears(*deck_works_)) &&
            (!lights_and_shapes_ || client_.server_hears(*lights_and_shapes_)) &&
-           (!circles_ || client_.server_hears(*circles_)) && (!orders_ || client_.server_hears(*orders_));
+           (!circles_ || client_.server_hears(*circles_)) &&
+           std::ranges::all_of(answers_to_,
+                               [this](const auto& to) { return !to || client_.server_hears(*to); }) &&
+           (!orders_ || client_.server_hears(*orders_));
 }
 
 std::string Trainee::waiting_for() const {
@@ -145,6 +159,35 @@ void Trainee::order(const BridgesOrder& order, const Picture& picture) {
     const bool sent = orders_ && orders_->write(sample);
     view_.note(picture, fmt::format("{}orders: {}", sent ? "" : "NOT ORDERED, ",
                                     station::words(order.code, sample.side(), order.value)));
+}
+
+/// What is asked at a freeze: by the script's answers, or in the end that he cannot tell, so that the
+/// exercise goes on.
+void Trainee::answer_questions(const Picture& picture, station::Clock::time_point now) {
+    for (std::size_t seat = 0; seat < answers_to_.size(); ++seat) {
+        const auto& asked = picture.questions.at(seat);
+        auto& [id, tick, run, at_a_loss_since] = answered_.at(seat);
+        if (!answers_to_.at(seat) || !asked || asked->id().size() == 0) continue;
+        if (asked->id().to_string() == id && asked->tick() == tick && asked->run() == run) continue;
+        auto answer = answer_to(*asked, answers_);
+        if (!answer) {
+            if (!at_a_loss_since) at_a_loss_since = now;
+            if (now - *at_a_loss_since < std::chrono::duration<double>(kAtALoss)) continue;
+            answer.emplace();
+            answer->question() = asked->id();
+            answer->kind(ANSWER_NOT_KNOWN);
+        }
+        answer->origin(client_.next_origin());
+        const bool sent = answers_to_.at(seat)->write(*answer);
+        at_a_loss_since.reset();
+        id = asked->id().to_string(), tick = asked->tick(), run = asked->run();
+        view_.note(picture,
+                   fmt::format("{}asked: {} answers {}", sent ? "" : "NOT SENT, ", asked->text().to_string(),
+                               answer->kind() == ANSWER_NUMBER ? fmt::format("{:g}", answer->value())
+                               : answer->kind() == ANSWER_CHOICE
+                                   ? asked->choices().at(answer->choice()).text().to_string()
+                                   : "that he cannot tell"));
+    }
 }
 
 void Trainee::report(const ReportOrder& order, const Picture& picture) {

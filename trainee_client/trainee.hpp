@@ -37,7 +37,15 @@ private:
     void set_men(DeckWork work, const station::Picture& picture);
     void report(const ReportOrder& order, const station::Picture& picture);
     void order(const BridgesOrder& order, const station::Picture& picture);
+    void answer_questions(const station::Picture& picture, station::Clock::time_point now);
     bool heard() const; ///< the server hears what this station says once
+
+    /// The question that was answered last, and the one that he has no answer to, since when.
+    struct Answered {
+        std::string id;
+        std::uint64_t tick = 0, run = 0;
+        std::optional<station::Clock::time_point> at_a_loss_since;
+    };
 
     station::Client& client_;
     const int side_;
@@ -48,6 +56,9 @@ private:
     std::optional<wire::Writer<LightsAndShapesCommand>> lights_and_shapes_; ///< of the bridge
     std::optional<wire::Writer<WatchCircle>> circles_;                      ///< of the bridge
     std::optional<wire::Writer<BridgeOrderCommand>> orders_;                ///< of the bridge alone
+    std::array<std::optional<wire::Writer<Answer>>, 2> answers_to_;         ///< of the forecastle, the bridge
+    std::array<Answered, 2> answered_;                                      ///< the same
+    QuestionAnswers answers_;
     std::optional<Player> player_;
     Progress progress_;
     double came_at_ = 0; ///< s of exercise time: what was refused before was another's of this name

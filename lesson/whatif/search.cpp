@@ -284,10 +284,10 @@ Search search_for(Trials& trials, const std::string& criterion) {
 } // namespace
 
 std::vector<std::string> lost_criteria(const Trials& trials) {
-    std::vector<assess::CriterionResult> lost;
+    std::vector<assess::CriterionResult> lost; // by what was done: an answer is no deed
     std::ranges::copy_if(trials.recorded().criteria, std::back_inserter(lost), [](const auto& one) {
-        return one.kind != CriterionKind::rubric && one.state != assess::CriterionState::not_in_play &&
-               one.milli < 1000;
+        return one.kind != CriterionKind::rubric && one.kind != CriterionKind::question &&
+               one.state != assess::CriterionState::not_in_play && one.milli < 1000;
     });
     std::ranges::stable_sort(lost, {}, &assess::CriterionResult::lost_tick);
     std::vector<std::string> codes;

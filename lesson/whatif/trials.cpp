@@ -30,7 +30,8 @@ bool of_a_hand(const exercise::Order& order, bool conns) {
            std::holds_alternative<exercise::HelmOrder>(order) ||
            std::holds_alternative<exercise::ReportMade>(order) ||
            std::holds_alternative<exercise::LightsAndShapes>(order) ||
-           std::holds_alternative<exercise::DeckWorkOrder>(order);
+           std::holds_alternative<exercise::DeckWorkOrder>(order) ||
+           std::holds_alternative<exercise::AnswerGiven>(order);
 }
 
 /// What the lesson's bridge, faults and weather order: the fold orders it again where it has come to be due.

@@ -127,6 +127,9 @@ std::string asked(const Lesson& lesson, const Criterion& criterion) {
         return fmt::format("Was this kept from happening as long as it had to be: {}?", that());
     case CriterionKind::final:
         return fmt::format("Was this as it should be at the end: {}?", that());
+    case CriterionKind::question:
+        return fmt::format("Was this answered rightly, while the exercise held for it: {}",
+                           lesson.questions[static_cast<std::size_t>(criterion.question)].ask);
     case CriterionKind::rubric:
         break;
     }

@@ -141,6 +141,31 @@ struct Criterion {
     int false_calls = 0;                  ///< that are forgiven, and then cost half
     double full_off = 0, half_off = 0;    ///< of a figure: by how much it may be wrong
     int count = 1;                        ///< of a figure: how many reports are asked for
+
+    int question = -1; ///< question: place in questions
+};
+
+/// One of the answers that a question offers.
+struct Choice {
+    std::string text;
+    Condition right; ///< whether it is right at the freeze
+};
+
+/// What a seat is asked at a freeze: the exercise holds, and the truth of that tick judges the answer. A
+/// number earns all of the mark within its tolerance and half of it within twice that.
+struct Question {
+    int criterion = 0; ///< place in criteria, whose side is its own
+    std::string ask{};
+    bool forecastle = true; ///< who is asked; false: the bridge
+    Condition when{};       ///< asked once, at the first tick at which it holds
+    int quantity = -1;      ///< that has the truth of a number; -1: a choice is asked for
+    std::string unit{};     ///< of the number, as the seat reads it
+    double one = 1;         ///< of that unit, in the quantity's
+    double period = 0;      ///< in that unit, after which the figure comes round again; 0: it does not
+    double tolerance = 0;   ///< in that unit
+    double step = 0;        ///< the same, by which the page's buttons go
+    std::vector<Choice> choices{};
+    double meant_for = 0; ///< s of wall time that it is meant to take; judges nobody. 0: not said
 };
 
 /// What reports of growing and weight are held against, of the gear on one side.
@@ -188,6 +213,7 @@ struct Lesson {
     std::vector<LessonFault> faults;
     std::vector<WeatherChange> schedule;
     std::vector<Criterion> criteria;
+    std::vector<Question> questions; ///< in the order of their criteria
     std::vector<Hint> hints;
     std::array<Gear, 2> gear{}; ///< port, starboard; of the exercise, not of the file
     std::optional<Condition> good;

@@ -384,24 +384,31 @@ private:
             needs(one, at, "that",
                   to.kind == CriterionKind::final ? "what is to be so at the end" : "what must never be so");
             break;
+        case CriterionKind::question:
+            read_question(one, at, to);
+            break;
         case CriterionKind::rubric:
             break;
         }
         lesson_.criteria.push_back(std::move(to));
     }
 
+    /// Place of the figure of that name.
+    int known_quantity(const std::string& name, const std::string& at) {
+        const int place = quantity_of(name);
+        if (place >= 0) return place;
+        std::vector<std::string> known;
+        for (const Quantity& quantity : quantities())
+            known.emplace_back(quantity.name);
+        fault(at, unknown(name, known));
+        return 0;
+    }
+
     void read_limit(const Json& one, const std::string& at, Criterion& to) {
         to.min = one.value("min", -kNoLimit);
         to.max = one.value("max", kNoLimit);
         if (needs(one, at, "of", "the figure that is limited")) {
-            to.quantity = quantity_of(one.at("of"));
-            if (to.quantity < 0) {
-                std::vector<std::string> known;
-                for (const Quantity& quantity : quantities())
-                    known.emplace_back(quantity.name);
-                fault(at + "/of", unknown(one.at("of"), known));
-                to.quantity = 0;
-            }
+            to.quantity = known_quantity(one.at("of"), at + "/of");
         }
         if (!one.contains("min") && !one.contains("max"))
             fault(at + "/max", "is missing: a limit needs \"max\" or \"min\", in the figure's unit");
@@ -450,6 +457,52 @@ private:
         if (to.orders.size() > kSlots)
             fault(at + "/orders", "are more than " + std::to_string(kSlots) + ", which is the most");
         if (to.half < to.full) fault(at + "/half", "is below full: half a mark comes after a full one");
+    }
+
+    void read_question(const Json& one, const std::string& at, Criterion& criterion) {
+        criterion.question = static_cast<int>(lesson_.questions.size());
+        Question to{.criterion = static_cast<int>(lesson_.criteria.size()),
+                    .ask = one.value("ask", ""),
+                    .forecastle = one.value("seat", std::string(kSeats[0])) == kSeats[0],
+                    .meant_for = one.value("meant_for", 0.0)};
+        needs(one, at, "ask", "the question as the seat reads it");
+        if (needs(one, at, "when", "at what the exercise holds for it")) {
+            to.when = condition(one.at("when"), at + "/when", criterion.side);
+            if (one.at("when").empty())
+                fault(at + "/when",
+                      "names nothing that must hold, so that it would be asked at once; name what "
+                      "he could have noticed by then");
+        }
+        if (one.contains("of") == one.contains("choices"))
+            fault(at + "/of", "a question wants a number, of the figure that is named here, or one of its "
+                              "\"choices\": give the one or the other");
+        if (one.contains("of")) read_number_asked(one, at, to);
+        if (one.contains("choices"))
+            for (std::size_t k = 0; k < one.at("choices").size(); ++k) {
+                const Json& choice = one.at("choices")[k];
+                const std::string place = at + "/choices/" + std::to_string(k) + "/that";
+                if (choice.at("that").empty())
+                    fault(place, "is empty, so that this answer would always be right");
+                to.choices.push_back(
+                    {choice.at("answer"), condition(choice.at("that"), place, criterion.side)});
+            }
+        lesson_.questions.push_back(std::move(to));
+    }
+
+    void read_number_asked(const Json& one, const std::string& at, Question& to) {
+        to.quantity = known_quantity(one.at("of"), at + "/of");
+        const Quantity& quantity = quantities()[static_cast<std::size_t>(to.quantity)];
+        to.unit = one.value("unit", quantity.unit);
+        to.one = one_of(to.unit, quantity);
+        if (to.one == 0) {
+            fault(at + "/unit", '"' + to.unit + "\": " + quantity.name + " is in " + quantity.unit +
+                                    "; that, kN or t for N, kn for m/s, shackles for m");
+            to.one = 1;
+        }
+        to.period = quantity.period / to.one;
+        if (needs(one, at, "tolerance", "by how much the number may be off, in its unit"))
+            to.tolerance = one.at("tolerance");
+        to.step = one.value("step", to.tolerance);
     }
 
     void read_hint(const Json& one, const std::string& at) {

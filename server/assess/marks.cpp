@@ -296,6 +296,34 @@ void look_at_report(const Criterion& criterion, Mark& mark, const Look& look) {
     if (look.tick() - truth > ticks(criterion.half, look)) decide(mark, 0, look.tick());
 }
 
+/// Asked once, and then the exercise holds: what is so now is what will judge the answer.
+void look_at_question(const Criterion& criterion, Mark& mark, const Look& look) {
+    const auto place = static_cast<std::size_t>(criterion.question);
+    const Question& question = look.lesson.questions[place];
+    QuestionCourse& course = look.state.questions[place];
+    if (course.asked >= 0) return;
+    std::int64_t right = 0; // looked at at every tick: it may have to be so for a while
+    for (std::size_t k = 0; k < question.choices.size(); ++k)
+        if (look.holds(question.choices[k].right)) right |= std::int64_t{1} << k;
+    if (!look.holds(question.when)) return;
+    course = {.asked = look.tick(), .open = true, .right = right};
+    if (question.quantity >= 0)
+        course.truth =
+            figure(question.quantity, look.seen, *tackle_of(look.seen, criterion.side), look.state) /
+            question.one;
+    mark.began = look.tick();
+    mark.state = CriterionState::open;
+}
+
+int earned_by(const exercise::AnswerGiven& answer, const Question& question, const QuestionCourse& course) {
+    if (answer.kind == exercise::AnswerKind::choice)
+        return (course.right >> answer.choice & 1) != 0 ? 1000 : 0;
+    if (answer.kind != exercise::AnswerKind::number) return 0;
+    const double apart = answer.value - course.truth;
+    const double off = std::abs(question.period > 0 ? std::remainder(apart, question.period) : apart);
+    return off <= question.tolerance ? 1000 : off <= 2 * question.tolerance ? 500 : 0;
+}
+
 double hours_apart(double a, double b) {
     const double apart = std::fmod(std::abs(a - b), 12.0);
     return std::min(apart, 12 - apart);
@@ -435,9 +463,22 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look) {
         mark.milli = mark.holds ? 1000 : 0;
         return;
     }
+    case CriterionKind::question:
+        return look_at_question(criterion, mark, look);
     case CriterionKind::rubric:
         return;
     }
+}
+
+void take_answer(const Criterion& criterion, Mark& mark, const exercise::AnswerGiven& answer, State& state,
+                 const Lesson& lesson) {
+    if (criterion.question < 0) return;
+    const auto place = static_cast<std::size_t>(criterion.question);
+    QuestionCourse& course = state.questions[place];
+    if (!course.open) return;
+    course.open = false;
+    course.answer = answer.kind, course.value = answer.value, course.choice = answer.choice;
+    decide(mark, earned_by(answer, lesson.questions[place], course), state.tick);
 }
 
 void take_report(const Criterion& criterion, Mark& mark, const Heard& report, const Look& look) {
@@ -520,6 +561,10 @@ void close(const Criterion& criterion, Mark& mark, State& state, const Lesson& l
         if (mark.wrong == 0 && no_time) mark.state = CriterionState::not_in_play;
     }
     if (mark.pending >= 0) ++mark.wrong; // cut off before it was so
+    if (criterion.question >= 0) state.questions[static_cast<std::size_t>(criterion.question)].open = false;
+    // The lesson was over at the very tick of the freeze: nobody could answer.
+    if (criterion.kind == CriterionKind::question && state.ending != Ending::instructor)
+        mark.state = CriterionState::not_in_play;
 
     // Cut off between a moment and the look at it: nobody knows how it would have been.
     if (criterion.kind == CriterionKind::state_at && mark.state == CriterionState::open) {

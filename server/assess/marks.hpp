@@ -28,6 +28,10 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look);
 /// Takes a report that came at this tick.
 void take_report(const Criterion& criterion, Mark& mark, const Heard& report, const Look& look);
 
+/// Takes the answer to an open question: the truth of the freeze judges it.
+void take_answer(const Criterion& criterion, Mark& mark, const exercise::AnswerGiven& answer, State& state,
+                 const Lesson& lesson);
+
 /// The lesson has ended: what was open is decided.
 void close(const Criterion& criterion, Mark& mark, State& state, const Lesson& lesson, int tick_rate);
 

@@ -3,6 +3,7 @@
 #include "server/assess/hawse.hpp"
 #include "server/physics/base/units.hpp"
 #include "server/physics/chain/chain_def.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -81,7 +82,7 @@ constexpr std::array kQuantities{
     Quantity{"cable_on_bottom", "m", "cable that lies on the seabed", WINDLASS_OF(t.chain.on_bottom)},
     Quantity{"piled", "", "cable on the bottom over the distance from the bow to the anchor",
              WINDLASS_OF(piled(t))},
-    Quantity{"lead_clock", "h", "where the cable leads, 12 ahead", WINDLASS_OF(t.chain.lead_clock)},
+    Quantity{"lead_clock", "h", "where the cable leads, 12 ahead", WINDLASS_OF(t.chain.lead_clock), 12},
     Quantity{"top_angle_deg", "deg", "cable below the horizontal at the lip",
              WINDLASS_OF(physics::degrees_from_radians(t.chain.top_angle))},
     Quantity{"turns", "turns", "turns in the cable", WINDLASS_OF(t.chain.turns)},
@@ -136,7 +137,7 @@ constexpr std::array kQuantities{
     Quantity{"anchor_x", "m", "anchor, east", WINDLASS_OF(t.anchor.position.x())},
     Quantity{"anchor_y", "m", "anchor, north", WINDLASS_OF(t.anchor.position.y())},
     Quantity{"heading_deg", "deg", "ship's head, clockwise from north, 0 to 360",
-             WINDLASS_OF(physics::degrees_from_radians(s.ship.heading))},
+             WINDLASS_OF(physics::degrees_from_radians(s.ship.heading)), 360},
     Quantity{"engine", "", "engine (-1 astern, 1 ahead)", WINDLASS_OF(s.ship.engine)},
     Quantity{"anchor_ball", "yes", "anchor ball shown", WINDLASS_OF(s.lights_and_shapes.anchor_ball ? 1 : 0)},
     Quantity{"anchor_lights", "yes", "anchor lights shown",
@@ -154,6 +155,20 @@ constexpr std::array kQuantities{
 
 std::span<const Quantity> quantities() {
     return kQuantities;
+}
+
+double one_of(const std::string& unit, const Quantity& quantity) {
+    struct Other {
+        std::string_view unit, of;
+        double one;
+    };
+    constexpr std::array kOthers{Other{"kN", "N", words::units::kilonewton},
+                                 Other{"t", "N", words::units::tonne}, Other{"kn", "m/s", words::units::knot},
+                                 Other{"shackles", "m", words::units::shackle}};
+    if (unit == quantity.unit) return 1;
+    const auto other = std::ranges::find_if(
+        kOthers, [&](const Other& one) { return one.unit == unit && one.of == quantity.unit; });
+    return other == kOthers.end() ? 0 : other->one;
 }
 
 int quantity_of(const std::string& name) {

@@ -15,9 +15,14 @@ struct Quantity {
     const char* text; ///< what it is, for people
     /// tackle: of the side that is looked at. Null: it is no figure of one tick (fold.hpp: figure()).
     double (*read)(const exercise::Snapshot& seen, const exercise::TackleView& tackle);
+    double period = 0; ///< after which it comes round again: hours of the clock, degrees; 0: it does not
 };
 
 std::span<const Quantity> quantities();
+
+/// How much of a quantity one of another unit is: 1000 of "kN" where it is in N, 1 of its own unit; 0: that
+/// unit does not belong to it.
+double one_of(const std::string& unit, const Quantity& quantity);
 
 /// Place of a quantity in the table; -1: there is none of that name.
 int quantity_of(const std::string& name);

@@ -324,6 +324,44 @@ std::string prohibited_words(const Lesson& lesson, const Criterion& criterion, c
     return mark.decided < 0 ? "" : "it never was so, and must not be: " + never;
 }
 
+/// What was asked, what was answered and what was so.
+std::string question_words(const Lesson& lesson, const State& state, const Criterion& criterion, int rate) {
+    const auto place = static_cast<std::size_t>(criterion.question);
+    const Question& question = lesson.questions[place];
+    const QuestionCourse& course = state.questions[place];
+    if (course.asked < 0) return "";
+    const auto said = [&](int choice) {
+        return '"' + question.choices[static_cast<std::size_t>(choice)].text + '"';
+    };
+    const auto figure = [&](double value) { return figure_text(value, question.unit); };
+    std::string so;
+    for (std::size_t k = 0; k < question.choices.size(); ++k)
+        if ((course.right >> k & 1) != 0) join(so, " or ", said(static_cast<int>(k)));
+    if (question.quantity >= 0)
+        so = figure(course.truth);
+    else if (so.empty())
+        so = "none of the answers";
+    std::string text = clock(course.asked, rate) + " asked at a freeze: ";
+    if (course.open) return text + "not answered yet; right: " + so;
+    switch (course.answer) {
+    case exercise::AnswerKind::number:
+        text += figure(course.value);
+        break;
+    case exercise::AnswerKind::choice:
+        text += said(course.choice);
+        break;
+    case exercise::AnswerKind::not_known:
+        text += "he could not tell";
+        break;
+    case exercise::AnswerKind::passed_over:
+        text += "not answered";
+        break;
+    }
+    text += "; right: " + so;
+    if (question.quantity >= 0) text += ", within " + figure(question.tolerance);
+    return text;
+}
+
 } // namespace
 
 std::string truth_words(const Lesson& lesson, const JudgedReport& report, int tick_rate) {
@@ -382,6 +420,9 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
         break;
     case CriterionKind::final:
         text = final_words(lesson, criterion, mark, tick_rate);
+        break;
+    case CriterionKind::question:
+        text = question_words(lesson, state, criterion, tick_rate);
         break;
     case CriterionKind::rubric:
         break;

@@ -37,6 +37,7 @@ State fresh(const Lesson& lesson) {
     state.faults.resize(lesson.faults.size());
     state.fault_since.assign(lesson.faults.size(), -1);
     state.marks.resize(lesson.criteria.size());
+    state.questions.resize(lesson.questions.size());
     state.held.assign(static_cast<std::size_t>(lesson.held), -1);
     state.hints.assign(lesson.hints.size(), -1);
     return state;
@@ -46,7 +47,7 @@ template <class Visitor, physics::StateOf<State> Self>
 void visit_state(Visitor& v, Self& self) {
     auto& [begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up, seed,
            question, heard_at, spoke_at, told, confirmed, events, reports, moments, orders, faults,
-           fault_since, marks, held, hints, heard, judged, growth] = self;
+           fault_since, marks, held, hints, heard, judged, growth, questions] = self;
     WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up,
                    seed, question, heard_at, spoke_at, confirmed);
     for (auto& shackles : told)
@@ -111,6 +112,12 @@ void visit_state(Visitor& v, Self& self) {
     }
     for (auto& side : growth)
         v.field({"growth"}, side);
+    sized(v, "questions", questions);
+    for (auto& question : questions) {
+        auto& [asked_at, open, truth, right, answer, value, choice] = question;
+        WINDLASS_STATE(v, asked_at, open, truth, right, value, choice);
+        v.whole({"answer"}, answer);
+    }
 }
 WINDLASS_STATE_LISTED(State);
 

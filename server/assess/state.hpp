@@ -98,6 +98,17 @@ struct JudgedReport {
     exercise::Growing growing = exercise::Growing::not_given;
 };
 
+/// How a question went.
+struct QuestionCourse {
+    std::int64_t asked = -1; ///< tick at which the exercise held for it; -1: it has not
+    bool open = false;       ///< it waits for its answer
+    double truth = 0;        ///< number: what was so, in the question's unit
+    std::int64_t right = 0;  ///< choice: a bit for each that was so
+    exercise::AnswerKind answer = exercise::AnswerKind::passed_over;
+    double value = 0; ///< number: as answered
+    int choice = 0;   ///< choice: the same
+};
+
 inline constexpr std::size_t kMostJudged = 256; ///< reports, the first of them; of the IDL
 
 enum class Ending { none, good, time, abort, instructor };
@@ -131,6 +142,7 @@ struct State {
     std::vector<Heard> heard;
     std::vector<JudgedReport> judged; ///< by when they were judged
     std::array<Growth, 2> growth{};   ///< port, starboard
+    std::vector<QuestionCourse> questions;
 };
 
 /// A lesson that has not begun.

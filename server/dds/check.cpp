@@ -122,6 +122,16 @@ private:
     bool found_ = false;
 };
 
+/// Whether it answers what is asked is the session's business.
+std::optional<run::Refusal> refusal_of(const char* topic, const Answer& sample) {
+    Checker check(topic, sample.origin(), -1);
+    check.some_text("question", sample.question().to_string(), "the id of the question")
+        .known("kind", sample.kind(), ANSWER_NOT_KNOWN);
+    if (sample.kind() == ANSWER_NUMBER)
+        check.range("value", sample.value(), -kReportValueMax, kReportValueMax);
+    return check.result();
+}
+
 void check_trigger(Checker& check, const FaultCommand& sample) {
     switch (sample.trigger()) {
     case TRIGGER_NOW:
@@ -356,6 +366,14 @@ std::optional<run::Refusal> refusal(const AssessmentCommand& sample, const run::
         check.refuse("note", '"' + sample.note().to_string() + '"',
                      fmt::format("why, in {} characters or more", kNoteMin));
     return check.result();
+}
+
+std::optional<run::Refusal> refusal(const ForecastleAnswer& sample, const run::Limits&) {
+    return refusal_of("ForecastleAnswer", sample);
+}
+
+std::optional<run::Refusal> refusal(const BridgeAnswer& sample, const run::Limits&) {
+    return refusal_of("BridgeAnswer", sample);
 }
 
 std::optional<run::Refusal> refusal(const AlertCommand& sample, const run::Limits&) {

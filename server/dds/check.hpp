@@ -10,6 +10,12 @@
 
 namespace windlass::dds {
 
+/// An answer as it came over the topic of its seat, which alone says whose it is.
+template <bool kOfForecastle>
+struct SeatAnswer : Answer {};
+using ForecastleAnswer = SeatAnswer<true>;
+using BridgeAnswer = SeatAnswer<false>;
+
 /// The first field that is out of order, or nothing. Serials are the mailbox's business.
 std::optional<run::Refusal> refusal(const WindlassCommand& sample, const run::Limits& limits);
 std::optional<run::Refusal> refusal(const HelmCommand& sample, const run::Limits& limits);
@@ -23,6 +29,8 @@ std::optional<run::Refusal> refusal(const AssessmentCommand& sample, const run::
 std::optional<run::Refusal> refusal(const WatchCircle& sample, const run::Limits& limits);
 std::optional<run::Refusal> refusal(const LightsAndShapesCommand& sample, const run::Limits& limits);
 std::optional<run::Refusal> refusal(const DeckWorkCommand& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const ForecastleAnswer& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const BridgeAnswer& sample, const run::Limits& limits);
 std::optional<run::Refusal> refusal(const BridgeOrderCommand& sample, const run::Limits& limits);
 std::optional<run::Refusal> refusal(const EnvironmentCommand& sample, const run::Limits& limits);
 
@@ -39,6 +47,9 @@ run::OrderContent order(const AssessmentCommand& sample);
 run::OrderContent order(const WatchCircle& sample);
 run::OrderContent order(const LightsAndShapesCommand& sample);
 run::OrderContent order(const DeckWorkCommand& sample);
+run::OrderContent order(const ForecastleAnswer& sample);
+run::OrderContent order(const BridgeAnswer& sample);
+run::OrderContent order(const Answer& sample); ///< of an OrderTaken, which the session has let in
 run::OrderContent order(const BridgeOrderCommand& sample);
 run::OrderContent order(const EnvironmentCommand& sample);
 

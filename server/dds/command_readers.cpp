@@ -25,16 +25,25 @@ double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-template <class T>
+template <class Kept, class T>
+decltype(auto) kept_as(const T& sample) {
+    if constexpr (std::is_same_v<Kept, T>)
+        return (sample);
+    else
+        return Kept{sample};
+}
+
+/// Kept: what a sample is in the mailbox, where topics that share a type are told apart.
+template <class T, class Kept = T>
 wire::Reader<T> reader(wire::Participant& participant, const wire::Topic<T>& topic, Mailbox& mailbox,
                        bool instructor = false) {
-    const std::size_t kind = Mailbox::Sample(T()).index();
+    const std::size_t kind = Mailbox::Sample(Kept()).index();
     return {participant, topic,
             [&mailbox, member = participant, kind, instructor, of_levers = topic.deadline > 0,
              gate = FloodGate(rate_of(topic))](const T& sample, const wire::WriterId& writer) mutable {
                 if (gate.pass(writer, now())) {
                     const std::uint64_t run = of_levers ? wire::told_moved_in_run(member, writer) : 0;
-                    mailbox.put(sample, writer, instructor, run);
+                    mailbox.put(kept_as<Kept>(sample), writer, instructor, run);
                 } else {
                     mailbox.refuse(kind, Mailbox::Unseen::too_fast);
                 }
@@ -62,6 +71,9 @@ CommandReaders::CommandReaders(wire::Participant& participant, Mailbox& mailbox)
       watch_circle_(reader(participant, wire::topics::watch_circle, mailbox)),
       lights_and_shapes_(reader(participant, wire::topics::lights_and_shapes_command, mailbox)),
       deck_work_(reader(participant, wire::topics::deck_work_command, mailbox)),
+      forecastle_answer_(
+          reader<Answer, ForecastleAnswer>(participant, wire::topics::forecastle_answer, mailbox)),
+      bridge_answer_(reader<Answer, BridgeAnswer>(participant, wire::topics::bridge_answer, mailbox)),
       alert_(reader(participant, wire::topics::alert_command, mailbox)),
       assessment_(reader(participant, wire::topics::assessment_command, mailbox)) {}
 

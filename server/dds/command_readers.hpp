@@ -24,6 +24,7 @@ private:
     wire::Reader<WatchCircle> watch_circle_;
     wire::Reader<LightsAndShapesCommand> lights_and_shapes_;
     wire::Reader<DeckWorkCommand> deck_work_;
+    wire::Reader<Answer> forecastle_answer_, bridge_answer_;
     wire::Reader<AlertCommand> alert_;
     wire::Reader<AssessmentCommand> assessment_;
 };

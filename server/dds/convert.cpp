@@ -129,4 +129,8 @@ void convert(const exercise::BridgeOrderView& from, std::uint64_t run, BridgeOrd
     to.run(run);
 }
 
+void convert(const run::QuestionView& from, Question& to) {
+    to_wire(from, to);
+}
+
 } // namespace windlass::dds

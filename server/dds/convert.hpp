@@ -21,6 +21,7 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
 void convert(const exercise::ExerciseEvent& from, Event& to);
 void convert(const run::AlertView& from, Alert& to);
 void convert(const run::CheckpointView& from, Checkpoint& to);
+void convert(const run::QuestionView& from, Question& to);
 void convert(const assess::Result& from, Assessment& to);
 void convert(const exercise::BridgeOrderView& from, std::uint64_t run, BridgeOrder& to);
 

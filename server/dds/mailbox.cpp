@@ -12,10 +12,22 @@ namespace {
 constexpr std::size_t kSendersRemembered = 256;
 
 const char* topic_name(std::size_t kind) {
-    constexpr std::array names{
-        "WindlassCommand", "HelmCommand",       "ExerciseCommand",        "FaultCommand",       "Report",
-        "AlertCommand",    "RestoreCommand",    "EnvironmentCommand",     "BridgeOrderCommand", "WatchCircle",
-        "OwnShipInput",    "AssessmentCommand", "LightsAndShapesCommand", "DeckWorkCommand"};
+    constexpr std::array names{"WindlassCommand",
+                               "HelmCommand",
+                               "ExerciseCommand",
+                               "FaultCommand",
+                               "Report",
+                               "AlertCommand",
+                               "RestoreCommand",
+                               "EnvironmentCommand",
+                               "BridgeOrderCommand",
+                               "WatchCircle",
+                               "OwnShipInput",
+                               "AssessmentCommand",
+                               "LightsAndShapesCommand",
+                               "DeckWorkCommand",
+                               "ForecastleAnswer",
+                               "BridgeAnswer"};
     static_assert(names.size() == std::variant_size_v<Mailbox::Sample>);
     return names.at(kind);
 }

@@ -42,10 +42,10 @@ private:
 
 class Mailbox {
 public:
-    using Sample =
-        std::variant<WindlassCommand, HelmCommand, ExerciseCommand, FaultCommand, Report, AlertCommand,
-                     RestoreCommand, EnvironmentCommand, BridgeOrderCommand, WatchCircle, OwnShipInput,
-                     AssessmentCommand, LightsAndShapesCommand, DeckWorkCommand>;
+    using Sample = std::variant<WindlassCommand, HelmCommand, ExerciseCommand, FaultCommand, Report,
+                                AlertCommand, RestoreCommand, EnvironmentCommand, BridgeOrderCommand,
+                                WatchCircle, OwnShipInput, AssessmentCommand, LightsAndShapesCommand,
+                                DeckWorkCommand, ForecastleAnswer, BridgeAnswer>;
 
     explicit Mailbox(std::size_t capacity = 1024);
 

@@ -15,6 +15,11 @@ Order order_in(const Sample& sample) {
     return order;
 }
 
+run::AnswerOrder answer_of(bool forecastle, const Answer& sample) {
+    const run::OrderContent content = order(sample);
+    return {forecastle, std::get<exercise::AnswerGiven>(std::get<exercise::Order>(content))};
+}
+
 } // namespace
 
 run::OrderContent order(const WindlassCommand& sample) {
@@ -101,6 +106,22 @@ run::OrderContent order(const LightsAndShapesCommand& sample) {
 
 run::OrderContent order(const DeckWorkCommand& sample) {
     return order_in<exercise::DeckWorkOrder>(sample);
+}
+
+run::OrderContent order(const Answer& sample) {
+    auto answer = order_in<exercise::AnswerGiven>(sample);
+    // What does not belong to its kind may hold anything, and is no part of the order.
+    if (answer.kind != exercise::AnswerKind::number) answer.value = 0;
+    if (answer.kind != exercise::AnswerKind::choice) answer.choice = 0;
+    return exercise::Order{std::move(answer)};
+}
+
+run::OrderContent order(const ForecastleAnswer& sample) {
+    return answer_of(true, sample);
+}
+
+run::OrderContent order(const BridgeAnswer& sample) {
+    return answer_of(false, sample);
 }
 
 run::OrderContent order(const OwnShipInput& sample) {

@@ -41,6 +41,9 @@ void each_place(Visit&& visit) {
         ORDER_TAKEN_DECK_WORK, type_identity<exercise::DeckWorkOrder>(),
         [](auto& s) -> auto& { return s.deck_work(); });
     visit(
+        ORDER_TAKEN_ANSWER, type_identity<exercise::AnswerGiven>(),
+        [](auto& s) -> auto& { return s.answer(); });
+    visit(
         ORDER_TAKEN_OWN_SHIP, type_identity<exercise::OwnShipSample>(),
         [](auto& s) -> auto& { return s.own_ship(); });
     visit(

@@ -17,6 +17,7 @@ constexpr double kStatusPeriod = 0.2; // s of wall time
 constexpr std::size_t kFrames = 16;   // a quarter of a second behind at 60 Hz
 constexpr std::size_t kEvents = 4096;
 constexpr std::size_t kInstructions = 256; // a lesson has 32 hints, and some dozens of pieces of briefings
+constexpr std::size_t kQuestions = 16;
 constexpr std::size_t kAlerts = 256;
 constexpr std::size_t kBridgeOrders = 256; // as many as an exercise keeps
 constexpr std::size_t kCheckpoints = 4;
@@ -78,6 +79,8 @@ Writers::Writers(wire::Participant& participant)
       seat_event(participant, wire::topics::seat_event),
       forecastle_instruction(participant, wire::topics::forecastle_instruction),
       bridge_instruction(participant, wire::topics::bridge_instruction),
+      forecastle_question(participant, wire::topics::forecastle_question),
+      bridge_question(participant, wire::topics::bridge_question),
       bridge_order(participant, wire::topics::bridge_order),
       scene(participant, wire::topics::scene_description),
       seabed(participant, wire::topics::seabed_description),
@@ -102,6 +105,8 @@ Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
       seat_events_(kEvents),
       forecastle_instructions_(kInstructions),
       bridge_instructions_(kInstructions),
+      forecastle_questions_(kQuestions),
+      bridge_questions_(kQuestions),
       bridge_orders_(kBridgeOrders),
       seas_(kSeas),
       checkpoints_(kCheckpoints),
@@ -169,8 +174,9 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const run::RunStatus& 
     };
     const Streams streams{.states = due(heard_.states, state_gate_),
                           .loads = due(heard_.loads, load_gate_),
-                          .forecastle = due(heard_.forecastle, forecastle_gate_),
-                          .bridge = due(heard_.bridge, bridge_gate_)};
+                          // Whoever is asked at a freeze is not to read the answer off his gauges.
+                          .forecastle = due(heard_.forecastle, forecastle_gate_) && !run.asked[0],
+                          .bridge = due(heard_.bridge, bridge_gate_) && !run.asked[1]};
     const bool status = status_due(snapshot, run, now);
     hand_over_bridge_orders(snapshot, run);
     hand_over_sea(snapshot);
@@ -211,6 +217,7 @@ void Publisher::offer(const View& view) {
 template void Publisher::offer(const run::AlertView& alert);
 template void Publisher::offer(const run::CheckpointView& checkpoint);
 template void Publisher::offer(const run::OrderView& order);
+template void Publisher::offer(const run::QuestionView& question);
 template void Publisher::offer(const assess::Result& assessment);
 
 void Publisher::tell_seats(const assess::Result& marks) {
@@ -310,7 +317,8 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
                                                           end - std::chrono::steady_clock::now()));
     };
     while (!(outputs_.empty() && events_.empty() && seat_events_.empty() &&
-             forecastle_instructions_.empty() && bridge_instructions_.empty() && alerts_.empty() &&
+             forecastle_instructions_.empty() && bridge_instructions_.empty() &&
+             forecastle_questions_.empty() && bridge_questions_.empty() && alerts_.empty() &&
              server_alerts_.empty() && bridge_orders_.empty() && seas_.empty() && checkpoints_.empty() &&
              orders_.empty() && assessments_.empty() && seat_assessments_.empty()) &&
            left().count() > 0) {
@@ -322,6 +330,8 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     writers_.seat_event.wait_acknowledged(left());
     writers_.forecastle_instruction.wait_acknowledged(left());
     writers_.bridge_instruction.wait_acknowledged(left());
+    writers_.forecastle_question.wait_acknowledged(left());
+    writers_.bridge_question.wait_acknowledged(left());
     writers_.alert.wait_acknowledged(left());
     writers_.server_alert.wait_acknowledged(left());
     writers_.bridge_order.wait_acknowledged(left());
@@ -345,6 +355,8 @@ void Publisher::write_waiting() {
         if (write_oldest(events_, writers_.event) || write_oldest(seat_events_, writers_.seat_event) ||
             write_oldest(forecastle_instructions_, writers_.forecastle_instruction) ||
             write_oldest(bridge_instructions_, writers_.bridge_instruction) ||
+            write_oldest(forecastle_questions_, writers_.forecastle_question) ||
+            write_oldest(bridge_questions_, writers_.bridge_question) ||
             write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
             write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||
             write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint) ||

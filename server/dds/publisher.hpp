@@ -37,6 +37,7 @@ struct Writers {
     wire::Writer<ForecastleView> forecastle, camera;
     wire::Writer<BridgeView> bridge;
     wire::Writer<SeatEvent> seat_event, forecastle_instruction, bridge_instruction;
+    wire::Writer<Question> forecastle_question, bridge_question;
     wire::Writer<BridgeOrder> bridge_order;
     wire::Writer<SceneDescription> scene;
     wire::Writer<SeabedDescription> seabed;
@@ -73,8 +74,8 @@ public:
     /// except that an event copies its text.
     void offer(const exercise::Snapshot& snapshot, const run::RunStatus& run, double now);
 
-    /// Hands over at once an AlertView, CheckpointView, OrderView or assess::Result; dropped and counted only
-    /// when thousands wait already.
+    /// Hands over at once an AlertView, CheckpointView, OrderView, QuestionView or assess::Result; dropped
+    /// and counted only when thousands wait already.
     template <class View>
     void offer(const View& view);
     /// The same of an event, and of what a seat notices of it; seen: the picture at it.
@@ -123,6 +124,9 @@ private:
     }
     SpscRing<Checkpoint>& ring_of(const run::CheckpointView&) { return checkpoints_; }
     SpscRing<OrderTaken>& ring_of(const run::OrderView&) { return orders_; }
+    SpscRing<Question>& ring_of(const run::QuestionView& question) {
+        return question.forecastle ? forecastle_questions_ : bridge_questions_;
+    }
     SpscRing<Assessment>& ring_of(const assess::Result&) { return assessments_; }
     void write_waiting() override;
     template <class Sample>
@@ -160,6 +164,7 @@ private:
     SpscRing<Event> events_;
     SpscRing<Alert> alerts_, server_alerts_;
     SpscRing<SeatEvent> seat_events_, forecastle_instructions_, bridge_instructions_;
+    SpscRing<Question> forecastle_questions_, bridge_questions_;
     SpscRing<BridgeOrder> bridge_orders_;
     SpscRing<SeaState> seas_;
     SpscRing<Checkpoint> checkpoints_;

@@ -35,6 +35,8 @@ template <>
 inline constexpr std::size_t kMostOnWire<OrderDone> = 64;
 template <>
 inline constexpr std::size_t kMostOnWire<JudgedReport> = 256;
+template <>
+inline constexpr std::size_t kMostOnWire<QuestionChoice> = 5;
 
 /// A number, flag or enumerator; these stand in the order of the IDL.
 template <class T>

@@ -89,6 +89,8 @@ void HostedExercise::publish(double now) {
     }
     for (const auto& alert : session_.alerts())
         publisher_.offer(alert);
+    for (const auto& question : session_.questions())
+        publisher_.offer(question);
     for (const auto& order : session_.orders())
         publisher_.offer(order);
     if (session_.assessment()) {

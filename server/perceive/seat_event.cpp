@@ -22,9 +22,16 @@ struct Orders {
 };
 /// Topics that a seat writes. Other refusals are the instructor's: they tell what he is about to do.
 constexpr Orders kOwnOrders[]{
-    {"WindlassCommand", true, false},        {"Report", true, false},          {"HelmCommand", false, true},
-    {"BridgeOrderCommand", false, true},     {"WatchCircle", false, true},     {"AlertCommand", true, true},
-    {"LightsAndShapesCommand", false, true}, {"DeckWorkCommand", true, false},
+    {"WindlassCommand", true, false},
+    {"Report", true, false},
+    {"HelmCommand", false, true},
+    {"BridgeOrderCommand", false, true},
+    {"WatchCircle", false, true},
+    {"AlertCommand", true, true},
+    {"LightsAndShapesCommand", false, true},
+    {"DeckWorkCommand", true, false},
+    {"ForecastleAnswer", true, false},
+    {"BridgeAnswer", false, true},
 };
 
 template <class FixedString>

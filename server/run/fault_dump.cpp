@@ -40,9 +40,9 @@ json as_json(const T& value) {
 }
 
 /// What an order is called in the dump, in the order of exercise::Order.
-constexpr std::array kOrderNames{"windlass",  "helm",   "fault",        "environment",
-                                 "report",    "bridge", "watch_circle", "lights_and_shapes",
-                                 "deck_work", "chance", "own_ship",     "assessor's word"};
+constexpr std::array kOrderNames{
+    "windlass",          "helm",      "fault",  "environment", "report",          "bridge", "watch_circle",
+    "lights_and_shapes", "deck_work", "chance", "own_ship",    "assessor's word", "answer"};
 static_assert(kOrderNames.size() == std::variant_size_v<exercise::Order>);
 
 /// A file name from a name that people chose.

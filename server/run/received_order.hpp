@@ -36,7 +36,14 @@ struct StateOrder {
     std::vector<std::uint8_t> checkpoint;
 };
 
-using OrderContent = std::variant<exercise::Order, RunOrder, AlertOrder, StateOrder>;
+/// An answer over the topic of a seat, which is that seat's: what it answers is looked at before it is an
+/// order.
+struct AnswerOrder {
+    bool of_forecastle = true; ///< false: of the bridge
+    exercise::AnswerGiven answer;
+};
+
+using OrderContent = std::variant<exercise::Order, RunOrder, AlertOrder, StateOrder, AnswerOrder>;
 
 /// Tells the writer of an order from all others; of an order that came from none, all zero.
 using WriterKey = std::array<std::uint8_t, 16>;

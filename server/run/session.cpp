@@ -101,6 +101,7 @@ void Session::begin_run() {
     next_ = snapshot_;
     history_.clear();
     failure_.clear();
+    held_ = false;
     forget_hands();
 }
 
@@ -123,6 +124,7 @@ void Session::set_up() {
     assessor_.begin(snapshot_);
     assessor_.hear(exercise::ChanceDrawn{draw()}); // the first checkpoint has it, and all that comes of it
     if (assessor_.assesses()) new_assessment_ = assessor_.result();
+    tell_questions();
     lever_pickup_.hold();
     event_number_ = 0;
     status_.state = RunState::ready;
@@ -238,6 +240,7 @@ void Session::carry_out(const exercise::Order& command, const ReceivedOrder& fro
     if (std::holds_alternative<exercise::AssessorsWord>(command)) {
         new_assessment_ = assessor_.result();
         tell_when_the_lesson_is_over();
+        go_on_when_answered(); // by the word that ended the lesson
     }
     const auto* fault = std::get_if<exercise::FaultOrder>(&command);
     if (fault != nullptr && fault->trigger == exercise::FaultTrigger::at_chance && !fault->clear)
@@ -268,6 +271,12 @@ void Session::carry_out(const RunOrder& order, const ReceivedOrder& from) {
         reset(source);
         return;
     case RunAction::start:
+        if (state == RunState::paused && asks()) {
+            if (held_) return pass_over_questions(source);
+            held_ = true;
+            log("exercise.paused", "exercise holds for a question");
+            return;
+        }
         if (state == RunState::ready || state == RunState::paused) {
             status_.state = RunState::running;
             watch_for_a_hand();
@@ -285,7 +294,10 @@ void Session::carry_out(const RunOrder& order, const ReceivedOrder& from) {
             log("exercise.paused", "exercise paused by " + source);
             return;
         }
-        if (state == RunState::paused) return;
+        if (state == RunState::paused) {
+            if (std::exchange(held_, false)) log("exercise.paused", "exercise paused by " + source);
+            return;
+        }
         break;
     case RunAction::time_scale:
         status_.time_scale = order.time_scale;
@@ -412,6 +424,7 @@ void Session::report_pace(double lateness, std::uint64_t overruns, double scale_
 void Session::clear_news() {
     new_checkpoint_ = false;
     new_assessment_.reset();
+    questions_.clear();
     events_.clear();
     orders_.clear();
     alerts_.clear_changes();

@@ -112,6 +112,10 @@ public:
     const assess::Assessor& assessor() const { return assessor_; }
     /// The checkpoint taken or gone back to since then; none: nullptr.
     const CheckpointView* checkpoint() const { return new_checkpoint_ ? &checkpoints_.back() : nullptr; }
+    /// What a seat is asked, as it came to be since then; an empty id: nothing any more.
+    const std::vector<QuestionView>& questions() const { return questions_; }
+    /// It stands for a question: the answer makes it go on, or an instructor's start.
+    bool held() const { return held_; }
     void clear_news();
 
 private:
@@ -119,6 +123,7 @@ private:
     void carry_out(const RunOrder& order, const ReceivedOrder& from);
     void carry_out(const AlertOrder& order, const ReceivedOrder& from);
     void carry_out(const StateOrder& order, const ReceivedOrder& from);
+    void carry_out(const AnswerOrder& order, const ReceivedOrder& from);
     void apply(const exercise::Order& command, const std::string& source);
     void begin_load(const RunOrder& order, const std::string& source);
     void reset(const std::string& source);
@@ -148,6 +153,11 @@ private:
     void assess();
     void tell_hints();
     void tell_when_the_lesson_is_over();
+    bool asks() const;
+    void tell_questions();
+    void hold_for_questions();
+    void go_on_when_answered();
+    void pass_over_questions(const std::string& source);
     void close_assessment(const std::string& reason);
     bool judged(const exercise::AssessorsWord& word, const std::string& source);
     void set_up();
@@ -190,6 +200,14 @@ private:
     std::vector<OrderView> orders_;
     std::vector<exercise::Order> due_; // by the lesson, of one tick
     std::optional<assess::Result> new_assessment_;
+    std::vector<QuestionView> questions_;
+    /// What a seat was last told of: place in the lesson's questions, -1 none.
+    struct Asked {
+        int question = -1;
+        std::uint64_t run = 0;
+    };
+    std::array<Asked, 2> asked_{};      // forecastle, bridge
+    bool held_ = false;                 // paused for a question, and for nothing else
     std::array<bool, 2> instructed_{};  // forecastle, bridge: something was told to it alone
     bool lesson_over_told_ = false;     // to the seats, of this run
     std::uint64_t orders_taken_ = 0;    // of this run

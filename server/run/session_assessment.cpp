@@ -21,13 +21,15 @@ void Session::assess() {
     if (!due_.empty()) look(); // before a checkpoint is taken, which has these orders in it
     const auto second = static_cast<std::uint64_t>(def().tick_rate_hz);
     const bool just_over = assessor_.ended() && !was_over;
-    if (just_over || (!was_over && snapshot_.tick % second == 0)) new_assessment_ = assessor_.result();
+    if (just_over || (!was_over && snapshot_.tick % second == 0) || asks())
+        new_assessment_ = assessor_.result();
     if (just_over)
         log("assessment.finished",
             fmt::format("lesson {} is over: {:.1f} points, {}", assessor_.lesson()->id,
                         0.1 * new_assessment_->tenths, assess::outcome_name(new_assessment_->outcome)),
             -1, 0.1 * new_assessment_->tenths);
     tell_when_the_lesson_is_over();
+    hold_for_questions();
 }
 
 /// Those that were given at this tick, each to its seat.
@@ -65,6 +67,7 @@ void Session::close_assessment(const std::string& reason) {
           kServerName);
     new_assessment_ = assessor_.result();
     tell_when_the_lesson_is_over();
+    tell_questions();
 }
 
 /// Whether there is something of that name to judge.

@@ -34,6 +34,7 @@ void Session::begin_after_loss() {
             fmt::format("taken up again at {} after the server was lost, {}", clock_text(time_),
                         status_.state == RunState::ready ? "ready" : stands),
             -1, time_);
+        hold_for_questions(); // where it was lost between a freeze and the word of it
         if (running()) watch_for_a_hand();
         brief();
     } else if (!how.refused.empty()) {

@@ -31,6 +31,7 @@ void Session::go_on_from(Kept kept) {
     alerts_.rectify(kStopped, -1, tick_, time_);
     status_.state = RunState::paused;
     if (assessor_.assesses()) new_assessment_ = assessor_.result();
+    tell_questions();
     take_checkpoint(); // a recording of this branch begins with it
 }
 

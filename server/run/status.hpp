@@ -4,6 +4,7 @@
 #include "common/fields.hpp"
 #include "server/exercise/picture/snapshot.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -19,10 +20,11 @@ struct RunStatus {
     std::uint64_t overruns = 0, commands_refused = 0, samples_dropped = 0;
     int tick_rate_hz = 300;
     std::uint64_t definition_hash = 0, run = 0, orders_taken = 0;
+    std::array<bool, 2> asked{}; ///< forecastle, bridge: it is asked something, and is not to read its gauges
 };
 WINDLASS_FIELDS(RunStatus, state, time_scale, time_scale_achieved, exercise, title_instructor, title_trainee,
                 lateness, overruns, commands_refused, samples_dropped, tick_rate_hz, definition_hash, run,
-                orders_taken)
+                orders_taken, asked)
 
 using AlertPriority = words::Priority;
 enum class AlertCondition {
@@ -60,6 +62,22 @@ struct CheckpointView {
     std::vector<std::uint8_t> data;
 };
 WINDLASS_FIELDS(CheckpointView, tick, time, state_hash, definition_hash, run, orders_taken, format, data)
+
+/// What a seat is asked from now on; names, units and meaning as in idl Question.
+struct QuestionView {
+    std::uint64_t run = 0, tick = 0;
+    double time = 0;
+    bool forecastle = true; ///< who is asked; false: the bridge
+    std::string id{}, text{}, unit{};
+    double step = 0;
+    struct Choice {
+        std::string text;
+    };
+    std::vector<Choice> choices{};
+    double meant_for = 0;
+};
+WINDLASS_FIELDS(QuestionView::Choice, text)
+WINDLASS_FIELDS(QuestionView, run, tick, time, forecastle, id, text, unit, step, choices, meant_for)
 
 /// What went into the exercise; see idl OrderTaken.
 struct OrderView {

@@ -1,10 +1,12 @@
 #include "station/gateway/feed.hpp"
 
 #include "idl/idl_text.hpp"
+#include "idl/payload.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace windlass::gateway {
 
@@ -26,6 +28,18 @@ std::string name_of(Feed::Kind kind, const wire::TopicInfo& topic) {
     const bool event = std::string_view(topic.name) == wire::topics::event.name;
     return (kind == Feed::Kind::classroom && event ? "/classroom/" : "/") + std::string(topic.name);
 }
+
+/// Whether it puts a question; a payload that is none puts none.
+bool asks(idl::Bytes payload) {
+    try {
+        return wire::decode<Question>(payload).id().size() > 0;
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
+/// By the seat that is asked: forecastle, bridge.
+constexpr std::array kQuestions{wire::topics::forecastle_question.name, wire::topics::bridge_question.name};
 
 } // namespace
 
@@ -51,6 +65,9 @@ struct Feed::Line {
         frame->time = time_of(topic, sample.payload).value_or(feed.exercise_time_.load());
         frame->payload.assign(sample.payload.begin(), sample.payload.end());
         if (is_status) feed.follow(frame->time);
+        for (std::size_t seat = 0; seat < kQuestions.size(); ++seat)
+            if (std::string_view(topic.name) == kQuestions.at(seat))
+                feed.asked_.at(seat) = asks(frame->payload);
         const std::scoped_lock lock{mutex};
         writer = sample.writer;
         if (topic.exclusive) spoken[frame->instance] = {frame, sample.writer, frame->heard};
@@ -81,6 +98,13 @@ Feed::Feed(wire::Participant participant, Kind kind, const Topics& topics)
     for (const auto& line : lines_)
         line->reader.emplace(participant_, line->topic,
                              [&line = *line](const wire::RawSample& sample) { line.pass_on(sample); });
+}
+
+bool Feed::withheld(const wire::TopicInfo& topic) const {
+    const std::string_view name = topic.name;
+    return (asked_[0] && name == wire::topics::forecastle_view.name) ||
+           (asked_[1] &&
+            (name == wire::topics::bridge_view.name || name == wire::topics::forecastle_camera.name));
 }
 
 void Feed::follow(double time) {
@@ -128,7 +152,8 @@ void Feed::listen(std::uint32_t channel, Ear& ear, const std::function<void(std:
     Line* const heard = line(channel);
     if (heard == nullptr) return;
     const std::scoped_lock lock{heard->mutex};
-    if (heard->ears.insert(&ear).second) begin(heard->history.kept(Clock::now()));
+    if (!heard->ears.insert(&ear).second) return;
+    begin(withheld(heard->topic) ? std::vector<FramePtr>() : heard->history.kept(Clock::now()));
 }
 
 void Feed::leave(std::uint32_t channel, Ear& ear) {

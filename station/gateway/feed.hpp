@@ -64,12 +64,16 @@ private:
     struct Line;
     Line* line(std::uint32_t channel) const;
     Line* line(const wire::TopicInfo& topic) const;
+    /// The view of a seat that is asked something at a freeze: what is kept of it is for nobody, lest a page
+    /// that is loaded anew read the answer off it.
+    bool withheld(const wire::TopicInfo& topic) const;
     /// The exercise's time, s, as ExerciseStatus tells it: what lies after it has not happened.
     void follow(double time);
 
     wire::Participant participant_;
     std::vector<Channel> channels_;
     std::atomic<double> exercise_time_ = 0;
+    std::array<std::atomic<bool>, 2> asked_{}; // forecastle, bridge
     std::vector<std::unique_ptr<Line>> lines_; // as channels_
 };
 

@@ -26,9 +26,10 @@ Topics seat_hears(Seat seat) {
                 &topics::helm_command,
                 &topics::instructor_helm_command};
     if (on_forecastle(seat))
-        list.insert(list.end(), {&topics::forecastle_view, &topics::forecastle_instruction});
+        list.insert(list.end(), {&topics::forecastle_view, &topics::forecastle_instruction,
+                                 &topics::forecastle_question});
     if (on_bridge(seat))
-        list.insert(list.end(), {&topics::bridge_view, &topics::bridge_instruction,
+        list.insert(list.end(), {&topics::bridge_view, &topics::bridge_instruction, &topics::bridge_question,
                                  &topics::forecastle_camera, &topics::chart, &topics::report});
     return list;
 }
@@ -52,7 +53,8 @@ Topics what_is_seen() {
                                   &topics::environment_command, &topics::restore_command,
                                   &topics::fault_command,       &topics::bridge_order_command,
                                   &topics::watch_circle,        &topics::lights_and_shapes_command,
-                                  &topics::deck_work_command,   &topics::alert_command,
+                                  &topics::deck_work_command,   &topics::forecastle_answer,
+                                  &topics::bridge_answer,       &topics::alert_command,
                                   &topics::assessment_command,  &topics::replay_command};
     Topics list = everything();
     std::erase_if(list, [](const auto* topic) { return among(kCommands, *topic); });
@@ -63,15 +65,16 @@ Topics seat_writes(Seat seat) {
     switch (seat) {
     case Seat::forecastle:
         return {&topics::windlass_command, &topics::report, &topics::deck_work_command,
-                &topics::alert_command};
+                &topics::forecastle_answer, &topics::alert_command};
     case Seat::conning:
-        return {&topics::helm_command, &topics::bridge_order_command, &topics::watch_circle,
-                &topics::lights_and_shapes_command, &topics::alert_command};
+        return {&topics::helm_command,  &topics::bridge_order_command,
+                &topics::watch_circle,  &topics::lights_and_shapes_command,
+                &topics::bridge_answer, &topics::alert_command};
     case Seat::trainee:
     case Seat::coach:
-        return {&topics::windlass_command,  &topics::helm_command, &topics::report,
-                &topics::deck_work_command, &topics::watch_circle, &topics::lights_and_shapes_command,
-                &topics::alert_command};
+        return {&topics::windlass_command,  &topics::helm_command,  &topics::report,
+                &topics::deck_work_command, &topics::watch_circle,  &topics::lights_and_shapes_command,
+                &topics::forecastle_answer, &topics::bridge_answer, &topics::alert_command};
     case Seat::watcher:
     case Seat::observer:
         return {};

@@ -39,6 +39,19 @@ TEST(OrderTakenSample, GivesBackEveryOrderBitForBit) {
     EXPECT_EQ(windlass.speed_lever, -kSmall);
     EXPECT_TRUE(windlass.clutch_in && windlass.stopper_closed && windlass.emergency_stop);
 
+    const auto answer = std::get<ex::AnswerGiven>(
+        there_and_back(ex::AnswerGiven{.question = "out", .kind = ex::AnswerKind::number, .value = kThird},
+                       sample)
+            .command);
+    EXPECT_EQ(answer.question, "out");
+    EXPECT_EQ(answer.kind, ex::AnswerKind::number);
+    EXPECT_EQ(answer.value, kThird);
+    const auto chosen = std::get<ex::AnswerGiven>(
+        there_and_back(ex::AnswerGiven{.question = "out", .kind = ex::AnswerKind::choice, .choice = 4},
+                       sample)
+            .command);
+    EXPECT_EQ(chosen.choice, 4);
+
     const auto helm =
         std::get<ex::HelmOrder>(there_and_back(ex::HelmOrder{kThird, -kThird, kSmall, -0.0}, sample).command);
     EXPECT_EQ(helm.engine, kThird);

@@ -18,8 +18,8 @@ TEST(IdlSchema, KnowsTheTypeOfEveryTopicByTheNameOfThisVersion) {
         EXPECT_NE(own_schema().find(wire::type_name(row)), nullptr) << row.name;
     for (const auto& row : wire::topics::classroom)
         EXPECT_NE(own_schema().find(wire::type_name(row)), nullptr) << row.name;
-    EXPECT_EQ(wire::type_name(wire::topics::server_alert), "windlass::v8::Alert");
-    EXPECT_EQ(own_schema().find("windlass::v8::ServerAlert"), nullptr);
+    EXPECT_EQ(wire::type_name(wire::topics::server_alert), "windlass::v9::Alert");
+    EXPECT_EQ(own_schema().find("windlass::v9::ServerAlert"), nullptr);
     EXPECT_EQ(own_schema().find("windlass::ShipState"), nullptr) << "a type of version 1";
 }
 
@@ -42,6 +42,7 @@ TEST(IdlSchema, EveryRealNumberOfAStateSaysItsUnitOrIsNone) {
                                      "utilisation",
                                      "lining_friction", // a coefficient
                                      "turns",           // a count
+                                     "step",            // in the unit of its question
                                      "value",
                                      "time_scale",
                                      "time_scale_achieved",

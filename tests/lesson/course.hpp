@@ -44,6 +44,8 @@ public:
     }
     void draw(double seed) { hear(lesson_, state_, exercise::ChanceDrawn{seed}, rate_); }
     void say(const exercise::AssessorsWord& word) { hear(lesson_, state_, word, rate_); }
+    void say(const exercise::AnswerGiven& answer) { hear(lesson_, state_, answer, rate_); }
+    int open_question(bool forecastle) const { return assess::open_question(lesson_, state_, forecastle); }
     const State& state() const { return state_; }
     Result now() const { return result(lesson_, state_, rate_); }
     CriterionResult mark(std::size_t k = 0) const { return now().criteria.at(k); }

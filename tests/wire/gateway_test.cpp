@@ -130,17 +130,28 @@ TEST_F(Gateway, AForecastleHearsNoTruthAndNoneOfWhatIsNotItsOwn) {
     const json hello = page.wait_for("hello");
     EXPECT_EQ(hello["seat"], "forecastle");
     EXPECT_EQ(hello["wire_version"], WIRE_VERSION);
-    EXPECT_EQ(hello["commands"], json({"WindlassCommand", "Report", "DeckWorkCommand", "AlertCommand"}));
+    EXPECT_EQ(hello["commands"],
+              json({"WindlassCommand", "Report", "DeckWorkCommand", "ForecastleAnswer", "AlertCommand"}));
     ASSERT_TRUE(eventually([&] { return page.samples("ForecastleView").size() > 30; }));
-    const std::set<std::string> own{"ExerciseStatus",  "SeatEvent",
-                                    "Alert",           "BridgeOrder",
-                                    "SeatAssessment",  "SceneDescription",
-                                    "Landmarks",       "Daylight",
-                                    "LightsAndShapes", "SeaState",
-                                    "ReplayStatus",    "ForecastleView",
-                                    "WindlassCommand", "InstructorWindlassCommand",
-                                    "HelmCommand",     "InstructorHelmCommand",
-                                    "ClassroomStatus", "ForecastleInstruction"};
+    const std::set<std::string> own{"ExerciseStatus",
+                                    "SeatEvent",
+                                    "Alert",
+                                    "BridgeOrder",
+                                    "SeatAssessment",
+                                    "SceneDescription",
+                                    "Landmarks",
+                                    "Daylight",
+                                    "LightsAndShapes",
+                                    "SeaState",
+                                    "ReplayStatus",
+                                    "ForecastleView",
+                                    "WindlassCommand",
+                                    "InstructorWindlassCommand",
+                                    "HelmCommand",
+                                    "InstructorHelmCommand",
+                                    "ClassroomStatus",
+                                    "ForecastleInstruction",
+                                    "ForecastleQuestion"};
     for (const auto& [number, name] : page.channels())
         EXPECT_TRUE(own.contains(name)) << name << " is advertised";
     for (const std::string& name : page.heard())
@@ -159,8 +170,8 @@ TEST_F(Gateway, AForecastleHearsNoTruthAndNoneOfWhatIsNotItsOwn) {
         EXPECT_TRUE(own.contains(name)) << name << " was sent";
 
     for (const char* topic :
-         {"FaultCommand", "ExerciseCommand", "BridgeOrderCommand", "HelmCommand", "InstructorWindlassCommand",
-          "RestoreCommand", "ClassroomCommand", "ShipState", "x"}) {
+         {"BridgeAnswer", "FaultCommand", "ExerciseCommand", "BridgeOrderCommand", "HelmCommand",
+          "InstructorWindlassCommand", "RestoreCommand", "ClassroomCommand", "ShipState", "x"}) {
         page.say({{"op", "order"}, {"id", topic}, {"topic", topic}, {"sample", json::object()}});
         EXPECT_FALSE(page.wait_for("refused", {{"id", topic}}).is_null()) << topic;
     }

@@ -93,9 +93,13 @@ void say_every_topic() {
     say(client, topics::watch_circle);
     say(client, topics::lights_and_shapes_command);
     say(client, topics::deck_work_command);
+    say(client, topics::forecastle_answer);
+    say(client, topics::bridge_answer);
     say(client, topics::alert_command);
     say(client, topics::assessment_command);
     say(client, topics::replay_command);
+    say(client, topics::forecastle_question);
+    say(client, topics::bridge_question);
     say(client, topics::order_taken);
     say(client, topics::bridge_order);
     say(client, topics::server_alert);
@@ -141,8 +145,8 @@ TEST(RecorderProgram, ReadersOfOthersDecodeEveryMessageOfEveryTopic) {
         EXPECT_TRUE(expected.contains("OrderTaken"));
         for (const auto& [topic, messages] : expected)
             EXPECT_EQ(found["topics"][topic]["messages"], messages) << topic;
-        EXPECT_EQ(found["topics"]["ServerAlert"]["type"], "windlass::v8::Alert");
-        EXPECT_EQ(found["topics"]["InstructorHelmCommand"]["type"], "windlass::v8::HelmCommand");
+        EXPECT_EQ(found["topics"]["ServerAlert"]["type"], "windlass::v9::Alert");
+        EXPECT_EQ(found["topics"]["InstructorHelmCommand"]["type"], "windlass::v9::HelmCommand");
         EXPECT_EQ(found["topics"]["ShipState"]["last_time"], 3.0) << "decoded, not only counted";
         EXPECT_THAT(found["attachments"], Contains("ships/bulk_carrier_225m.json"));
     }

@@ -148,12 +148,13 @@ Names with(Names names, std::initializer_list<std::string> more) {
 
 TEST(Security, TraineeHearsWhatItsSeatsAreGivenAndNothingElse) {
     EXPECT_EQ(hears("trainee", "exercise/default"),
-              with(kSeen, {"ForecastleView", "ForecastleInstruction", "BridgeView", "BridgeInstruction",
-                           "ForecastleCamera", "Chart", "Report"}));
+              with(kSeen, {"ForecastleView", "ForecastleInstruction", "ForecastleQuestion", "BridgeView",
+                           "BridgeInstruction", "BridgeQuestion", "ForecastleCamera", "Chart", "Report"}));
     EXPECT_EQ(hears("forecastle", "exercise/default"),
-              with(kSeen, {"ForecastleView", "ForecastleInstruction"}));
+              with(kSeen, {"ForecastleView", "ForecastleInstruction", "ForecastleQuestion"}));
     EXPECT_EQ(hears("conning", "exercise/default"),
-              with(kSeen, {"BridgeView", "BridgeInstruction", "ForecastleCamera", "Chart", "Report"}));
+              with(kSeen, {"BridgeView", "BridgeInstruction", "BridgeQuestion", "ForecastleCamera", "Chart",
+                           "Report"}));
 }
 
 TEST(Security, TraineeReadsEverythingInADebriefAndNotInAnExercise) {
@@ -411,10 +412,18 @@ TEST(Roles, CoverTheTopicTable) {
             EXPECT_FALSE(may[seat].contains(topic)) << seat << " " << topic;
             EXPECT_TRUE(debrief[seat].contains(topic)) << seat << " " << topic;
         }
-    for (const auto& [other, topic] : {std::pair("conning read", "ForecastleInstruction"),
-                                       std::pair("forecastle read", "BridgeInstruction")}) {
+    for (const auto& [other, topic] :
+         {std::pair("conning read", "ForecastleInstruction"),
+          std::pair("forecastle read", "BridgeInstruction"), std::pair("conning read", "ForecastleQuestion"),
+          std::pair("forecastle read", "BridgeQuestion")}) {
         EXPECT_FALSE(may[other].contains(topic)) << "what is told to one seat alone";
         EXPECT_TRUE(debrief[other].contains(topic)) << topic;
+    }
+    for (const auto& [seat, own, other] : {std::tuple("forecastle write", "ForecastleAnswer", "BridgeAnswer"),
+                                           std::tuple("conning write", "BridgeAnswer", "ForecastleAnswer")}) {
+        EXPECT_TRUE(may[seat].contains(own)) << seat;
+        EXPECT_FALSE(may[seat].contains(other)) << "nobody answers for another seat";
+        EXPECT_FALSE(may["instructor write"].contains(own)) << "nor does he who knows";
     }
     for (const char* topic :
          {"InstructorWindlassCommand", "InstructorHelmCommand", "EnvironmentCommand", "FaultCommand",

@@ -129,6 +129,25 @@ struct AssessorsWord {
 };
 WINDLASS_FIELDS(AssessorsWord, criterion, verdict, milli, note, by)
 
+enum class AnswerKind {
+    number,
+    choice,
+    not_known,
+    passed_over ///< no seat's answer: the server says that the exercise went on without one
+};
+constexpr AnswerKind last_of(AnswerKind) {
+    return AnswerKind::passed_over;
+}
+
+/// A seat answers what it is asked at a freeze. Nothing in the exercise comes of it.
+struct AnswerGiven {
+    std::string question{}; ///< code of its criterion
+    AnswerKind kind = AnswerKind::not_known;
+    double value = 0; ///< number: in the question's unit
+    int choice = 0;   ///< choice: place in the question's choices
+};
+WINDLASS_FIELDS(AnswerGiven, question, kind, value, choice)
+
 /// A draw for an armed fault's window: 0..1. Made outside, so that a step needs no chance.
 struct ChanceDrawn {
     double chance = 0;
@@ -139,8 +158,8 @@ WINDLASS_FIELDS(ChanceDrawn, chance)
 using OwnShipSample = physics::ForeignSample;
 
 /// One order, applied at the tick in which it is drained from the mailbox.
-using Order =
-    std::variant<WindlassOrder, HelmOrder, FaultOrder, EnvironmentOrder, ReportMade, BridgeOrderGiven,
-                 WatchCircleOrder, LightsAndShapes, DeckWorkOrder, ChanceDrawn, OwnShipSample, AssessorsWord>;
+using Order = std::variant<WindlassOrder, HelmOrder, FaultOrder, EnvironmentOrder, ReportMade,
+                           BridgeOrderGiven, WatchCircleOrder, LightsAndShapes, DeckWorkOrder, ChanceDrawn,
+                           OwnShipSample, AssessorsWord, AnswerGiven>;
 
 } // namespace windlass::exercise

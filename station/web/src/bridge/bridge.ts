@@ -4,6 +4,7 @@ import "./bridge.css";
 
 import { reportAloud } from "../kit/aloud";
 import { Briefing } from "../kit/briefing";
+import { Freeze } from "../kit/freeze";
 import { HintLine } from "../kit/instructions";
 import { h, setAttribute } from "../kit/dom";
 import { showsTopic } from "../kit/live";
@@ -78,7 +79,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
     h("div", { class: "hands" }, telegraph.element, wheel.element, thrusters.element),
     besidePlan(orders, h("div", { class: "watch-tab" }, shown, watch.element), beside),
   );
-  document.body.append(help, briefing.element, marks.element);
+  document.body.append(help, briefing.element, marks.element, new Freeze(link, "bridge").element);
   page.topBar.element.after(briefing.lessonOver);
   new PlanFeed(link, chart, anchors, watch);
 

@@ -6,6 +6,7 @@ import { showsTopic } from "../kit/live";
 import { type Page, pageAddress } from "../kit/page";
 import { sideWord } from "../kit/units";
 import { PlotBoard } from "../plots/board";
+import { AskedBar } from "./asked";
 import { Desk } from "./desk";
 import { EnvironmentPanel } from "./environment";
 import { FaultPanel } from "./faults";
@@ -38,6 +39,7 @@ function sideChoice(desk: Desk): HTMLElement {
 export function makeDesk(page: Page): void {
   const desk = new Desk(page);
   const run = new RunBar(desk);
+  run.element.append(new AskedBar(desk).element);
   const replay = new ReplayBar(desk);
   const plots = new PlotBoard(desk.link);
   desk.past.add(plots);

@@ -3,6 +3,7 @@
 import { orderAloud } from "../kit/aloud";
 import { Briefing } from "../kit/briefing";
 import { h, setAttribute } from "../kit/dom";
+import { Freeze } from "../kit/freeze";
 import { HintLine } from "../kit/instructions";
 import { nextPalette } from "../kit/palette";
 import { everyFrame, openExercisePage } from "../kit/page";
@@ -82,7 +83,7 @@ export function openForecastle(): void {
     h("section", { class: "panel noticed", "aria-label": t("log") }, h("h2", {}, t("Log")), new Log(link).element),
   );
   if (!page.still) firstVisit.begin();
-  document.body.append(help.element, briefing.element, marks.element);
+  document.body.append(help.element, briefing.element, marks.element, new Freeze(link, "forecastle").element);
   page.topBar.element.after(briefing.lessonOver);
   stand.onSide((side) => {
     scene.setSide(side);

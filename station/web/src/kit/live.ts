@@ -70,6 +70,7 @@ export class LiveWatch {
 
 /** ms since the newest sample, where that is too long for the topic's rate; 0: it is of now, or was never heard. */
 function silence(link: Connection, topic: TopicName, now: number, key?: string | number): number {
+  if (isBlanked(link, topic)) return 0;
   const at = link.heardAt(topic, key);
   const age = now - (isReplay(link) ? link.heardAt("ExerciseStatus") : at); // one that stands repeats its status alone
   return at > 0 && age > limit(link, topic) ? age : 0;
@@ -82,6 +83,13 @@ function limit(link: Connection, topic: TopicName): number {
   const running = status.state === RunState.RUN_RUNNING;
   const pace = running ? Math.min(1, Math.max(kLeastPace, status.time_scale_achieved)) : 1;
   return kSilent + (1000 * kMissing) / (Math.min(kSlowest, rates[topic]) * pace);
+}
+
+/** While a seat is asked something at a freeze, its view is not sent. */
+function isBlanked(link: Connection, topic: TopicName): boolean {
+  if (topic === "ForecastleView") return Boolean(link.latest("ForecastleQuestion")?.id);
+  if (topic === "BridgeView" || topic === "ForecastleCamera") return Boolean(link.latest("BridgeQuestion")?.id);
+  return false;
 }
 
 const isReplay = (link: Connection): boolean =>

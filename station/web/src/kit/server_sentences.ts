@@ -25,10 +25,10 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   "exercise.checkpoint": ["checkpoint taken by {name}"],
   "exercise.finished": ["exercise finished: {reason}"],
   "exercise.loaded": ["exercise loaded by {name}"],
-  "exercise.paused": ["exercise paused by {name}"],
+  "exercise.paused": ["exercise holds for a question", "exercise paused by {name}"],
   "exercise.reset": ["exercise reset by {name}"],
   "exercise.restored": ["exercise restored to {0} s, paused, by {name}"],
-  "exercise.resumed": ["exercise resumed by {name}"],
+  "exercise.resumed": ["exercise goes on", "exercise resumed by {name}"],
   "exercise.started": ["exercise started by {name}"],
   "exercise.time_scale": ["time scale {0} by {name}"],
   "levers.lost": [
