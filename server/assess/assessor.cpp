@@ -68,6 +68,12 @@ void Assessor::visit(physics::StateVisitor& v) {
     const int first = state_.ending == Ending::abort ? 0 : -1;
     v.within({"aborted_by"}, state_.aborted_by, first, static_cast<int>(lesson_->abort.size()) - 1);
     v.within({"changes"}, state_.changes, 0, static_cast<int>(lesson_->schedule.size()));
+    for (std::size_t k = 0; k < lesson_->questions.size(); ++k) {
+        const QuestionCourse& course = state_.questions[k];
+        const auto choices = static_cast<int>(lesson_->questions[k].choices.size());
+        const bool chosen = course.answer == exercise::AnswerKind::choice;
+        v.within({"choice"}, course.choice, 0, chosen ? choices - 1 : 0);
+    }
 }
 
 std::uint64_t assessment_hash(const Lesson& lesson, const State& state) {

@@ -315,6 +315,12 @@ void look_at_question(const Criterion& criterion, Mark& mark, const Look& look) 
     mark.state = CriterionState::open;
 }
 
+bool allows(const Question& question, const exercise::AnswerGiven& answer) {
+    if (answer.kind == exercise::AnswerKind::number) return question.choices.empty();
+    if (answer.kind != exercise::AnswerKind::choice) return true;
+    return answer.choice >= 0 && answer.choice < static_cast<int>(question.choices.size());
+}
+
 int earned_by(const exercise::AnswerGiven& answer, const Question& question, const QuestionCourse& course) {
     if (answer.kind == exercise::AnswerKind::choice)
         return (course.right >> answer.choice & 1) != 0 ? 1000 : 0;
@@ -475,10 +481,12 @@ void take_answer(const Criterion& criterion, Mark& mark, const exercise::AnswerG
     if (criterion.question < 0) return;
     const auto place = static_cast<std::size_t>(criterion.question);
     QuestionCourse& course = state.questions[place];
-    if (!course.open) return;
+    const Question& question = lesson.questions[place];
+    // What is none of its answers no session lets in, and a damaged recording may have.
+    if (!course.open || !allows(question, answer)) return;
     course.open = false;
     course.answer = answer.kind, course.value = answer.value, course.choice = answer.choice;
-    decide(mark, earned_by(answer, lesson.questions[place], course), state.tick);
+    decide(mark, earned_by(answer, question, course), state.tick);
 }
 
 void take_report(const Criterion& criterion, Mark& mark, const Heard& report, const Look& look) {

@@ -129,6 +129,18 @@ TEST(Question, AnAnswerToWhatIsNotAskedOrIsAnsweredChangesNothing) {
     EXPECT_EQ(course.mark().milli, 1000);
 }
 
+TEST(Question, AnAnswerThatItDoesNotAllowAsADamagedRecordingMayHaveItChangesNothing) {
+    Course course(lesson(kHowLeads));
+    course.chain().cable_out = 60;
+    course.run(0.1);
+    for (const AnswerGiven& wrong : {choice(3), choice(-1), choice(1 << 30), number(0, "stay")}) {
+        course.say(wrong);
+        EXPECT_EQ(course.open_question(false), 0);
+    }
+    course.say(choice(0));
+    EXPECT_EQ(course.mark().milli, 1000);
+}
+
 TEST(Question, OfAClockOrACompassGoesRound) {
     Course course(
         lesson(R"({"id": "out", "kind": "question", "ask": "How does she lead?", "of": "lead_clock",)"
