@@ -3,6 +3,7 @@
 #include "lesson/play.hpp"
 #include "server/assess/marks.hpp"
 #include "server/run/limits.hpp"
+#include "server/run/questions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -113,6 +114,7 @@ public:
         if (!course_.step()) throw std::runtime_error("the state ceases to be finite");
         for (const exercise::Order& order : course_.ordered())
             take(order);
+        if (hands_ && tick() >= model_from_) answer_questions();
         if (hands_)
             for (const exercise::ExerciseEvent& event : course_.seen().events)
                 for (lesson::Seat& seat : hands_->seats)
@@ -150,6 +152,25 @@ private:
             if (!was_made(report)) take(report);
         for (const exercise::Order& order : now)
             take(order);
+    }
+
+    /// The model's hands answer what they are asked, and what none of them knows is passed over.
+    void answer_questions() {
+        for (const bool forecastle : {true, false})
+            for (run::QuestionView asked = run::question_to(forecastle, course_.assessor());
+                 !asked.id.empty();) {
+                for (lesson::Seat& seat : hands_->seats)
+                    seat.ask(asked);
+                exercise::Order given =
+                    exercise::AnswerGiven{.question = asked.id, .kind = exercise::AnswerKind::passed_over};
+                for (const lesson::Seat& seat : hands_->seats)
+                    for (const run::ReceivedOrder& order : seat.answer())
+                        given = std::get<run::AnswerOrder>(order.what).answer;
+                take(given);
+                asked = run::question_to(forecastle, course_.assessor());
+                for (lesson::Seat& seat : hands_->seats)
+                    seat.ask(asked);
+            }
     }
 
     bool was_made(const exercise::ReportMade& report) const {

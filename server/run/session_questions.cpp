@@ -5,6 +5,7 @@
 // instructor or a restore, it stays so: his start makes it wait for the answer again.
 
 #include "common/figure_text.hpp"
+#include "server/run/questions.hpp"
 #include "server/run/session.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -30,6 +31,22 @@ std::string answer_words(const exercise::AnswerGiven& answer, const assess::Ques
 
 } // namespace
 
+QuestionView question_to(bool forecastle, const assess::Assessor& assessor) {
+    QuestionView view{.forecastle = forecastle};
+    const int open = assessor.open_question(forecastle);
+    if (open < 0) return view;
+    const assess::Lesson& lesson = *assessor.lesson();
+    const assess::Question& question = lesson.questions[static_cast<std::size_t>(open)];
+    view.id = lesson.criteria[static_cast<std::size_t>(question.criterion)].id;
+    view.text = question.ask;
+    view.unit = question.unit;
+    view.step = question.step;
+    for (const assess::Choice& choice : question.choices)
+        view.choices.push_back({choice.text});
+    view.meant_for = question.meant_for;
+    return view;
+}
+
 bool Session::asks() const {
     return assessor_.open_question(true) >= 0 || assessor_.open_question(false) >= 0;
 }
@@ -44,19 +61,10 @@ void Session::tell_questions() {
         if (open == told.question && (open < 0 || told.run == status_.run)) continue;
         told = {open, status_.run};
         status_.asked.at(seat) = open >= 0;
-        QuestionView view{.run = status_.run, .tick = tick_, .time = time_, .forecastle = forecastle};
-        if (open >= 0) {
-            const assess::Lesson& lesson = *assessor_.lesson();
-            const assess::Question& question = lesson.questions[static_cast<std::size_t>(open)];
-            view.id = lesson.criteria[static_cast<std::size_t>(question.criterion)].id;
-            view.text = question.ask;
-            view.unit = question.unit;
-            view.step = question.step;
-            for (const assess::Choice& choice : question.choices)
-                view.choices.push_back({choice.text});
-            view.meant_for = question.meant_for;
+        QuestionView view = question_to(forecastle, assessor_);
+        view.run = status_.run, view.tick = tick_, view.time = time_;
+        if (open >= 0)
             log("question.asked", fmt::format("{} is asked ({}): {}", kSeats.at(seat), view.id, view.text));
-        }
         questions_.push_back(std::move(view));
     }
 }
