@@ -94,7 +94,7 @@ test("a number is asked of the forecastle, over its gauges, and answered by the 
   await deck.keyboard.press("Escape");
   await deck.keyboard.press("Escape");
   await asked(deck, "How many shackles are out?");
-  const levers = await rig.truth();
+  const levers = await rig.truly("there is a windlass to be seen", ({ port }) => port);
   await deck.keyboard.press("b");
   await passesAxe(deck);
   if (process.env.PICTURES) await deck.screenshot({ path: `${process.env.PICTURES}/freeze_number.png` });
@@ -107,7 +107,8 @@ test("a number is asked of the forecastle, over its gauges, and answered by the 
   await button(deck, "Answer").click();
   await eventually("the sheet goes", async () => !(await sheet(deck).isVisible()));
   await eventually("the gauges are back", async () => (await views()) > 0);
-  assert.equal((await rig.truth()).port.windlass.brake_position, levers.port.windlass.brake_position);
+  const now = await rig.truly("there still is", ({ port }) => port);
+  assert.equal(now.port.windlass.brake_position, levers.port.windlass.brake_position);
 });
 
 test("a choice is asked of the bridge, and answered by its button", async () => {

@@ -12,7 +12,7 @@ export class AskedBar {
   constructor(private readonly desk: Desk) {
     this.element = h(
       "div",
-      { class: "notice asked-bar", role: "status", hidden: true },
+      { class: "asked-bar", role: "status", hidden: true },
       this.words,
       h(
         "button",
