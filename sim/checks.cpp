@@ -276,8 +276,10 @@ void Checks::handed_over(const Place& place) {
 }
 
 void Checks::on_disk(const Place& place) {
+    // Of a course that has ended nothing is waited for any more: a disk that refused it until then has none
+    // of it, and may also refuse to remove it (seed 29).
     for (Line& one : lines_)
-        if (one.number == place.line) one.on_disk = place;
+        if (one.number == place.line && !one.ended) one.on_disk = place;
     // Of what was left before that course began, nothing comes back, if it could be put aside.
     while (!old_stays_ && lines_.front().number < place.line)
         lines_.pop_front();
