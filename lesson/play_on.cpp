@@ -67,6 +67,7 @@ void play_on(run::Course& course, const std::vector<trainee::Script>& scripts,
         if (!course.step()) throw std::runtime_error(def.name + ": its state ceases to be finite");
         for (const exercise::Order& order : course.ordered())
             take(order);
+        answer_questions(assessor, seats, take);
         for (const exercise::ExerciseEvent& event : course.seen().events)
             for (Seat& seat : seats)
                 seat.notice(event, course.seen());

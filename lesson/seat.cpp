@@ -1,5 +1,7 @@
 #include "lesson/seat.hpp"
 
+#include "server/run/questions.hpp"
+
 #include "server/dds/check.hpp"
 #include "server/dds/convert.hpp"
 #include "server/dds/order_taken.hpp"
@@ -187,6 +189,26 @@ std::vector<std::string> Seat::take_words() {
 
 std::string Seat::waiting_for() const {
     return player_.waiting_for(picture_);
+}
+
+exercise::AnswerGiven answer_to(const run::QuestionView& question, std::vector<Seat>& seats) {
+    for (Seat& seat : seats)
+        seat.ask(question);
+    for (const Seat& seat : seats)
+        for (const run::ReceivedOrder& order : seat.answer())
+            return std::get<run::AnswerOrder>(order.what).answer;
+    return {.question = question.id, .kind = exercise::AnswerKind::passed_over};
+}
+
+void answer_questions(const assess::Assessor& assessor, std::vector<Seat>& seats,
+                      const std::function<void(const exercise::Order&)>& take) {
+    for (const bool forecastle : {true, false}) {
+        if (assessor.open_question(forecastle) < 0) continue;
+        while (assessor.open_question(forecastle) >= 0)
+            take(answer_to(run::question_to(forecastle, assessor), seats));
+        for (Seat& seat : seats) // nothing any more
+            seat.ask(run::question_to(forecastle, assessor));
+    }
 }
 
 } // namespace windlass::lesson

@@ -61,4 +61,12 @@ private:
     std::vector<std::string> words_;
 };
 
+/// What these seats answer to what is asked at a freeze; passed over where none of them knows. Throws
+/// std::runtime_error where a script answers what the question does not allow.
+exercise::AnswerGiven answer_to(const run::QuestionView& question, std::vector<Seat>& seats);
+
+/// These seats answer all that a lesson asks now; take: what an answer does to the exercise.
+void answer_questions(const assess::Assessor& assessor, std::vector<Seat>& seats,
+                      const std::function<void(const exercise::Order&)>& take);
+
 } // namespace windlass::lesson

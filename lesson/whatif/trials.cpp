@@ -31,8 +31,7 @@ bool of_a_hand(const exercise::Order& order, bool conns) {
            std::holds_alternative<exercise::HelmOrder>(order) ||
            std::holds_alternative<exercise::ReportMade>(order) ||
            std::holds_alternative<exercise::LightsAndShapes>(order) ||
-           std::holds_alternative<exercise::DeckWorkOrder>(order) ||
-           std::holds_alternative<exercise::AnswerGiven>(order);
+           std::holds_alternative<exercise::DeckWorkOrder>(order);
 }
 
 /// What the lesson's bridge, faults and weather order: the fold orders it again where it has come to be due.
@@ -109,12 +108,18 @@ public:
         const bool model = tick() >= model_from_;
         const bool conned = hands_ && std::ranges::any_of(hands_->seats, &lesson::Seat::conns);
         for (; next_ < orders_.size() && orders_[next_].tick <= tick(); ++next_)
-            if (!model || !of_a_hand(orders_[next_].command, conned)) take(orders_[next_].command);
+            if (!std::holds_alternative<exercise::AnswerGiven>(orders_[next_].command) &&
+                (!model || !of_a_hand(orders_[next_].command, conned)))
+                take(orders_[next_].command);
         if (hands_ && tick() % look_every_ == 0) look(model);
         if (!course_.step()) throw std::runtime_error("the state ceases to be finite");
         for (const exercise::Order& order : course_.ordered())
             take(order);
-        if (hands_ && tick() >= model_from_) answer_questions();
+        if (hands_ && tick() >= model_from_)
+            answer_questions(course_.assessor(), hands_->seats,
+                             [this](const exercise::Order& answer) { take(answer); });
+        else
+            answer_as_recorded();
         if (hands_)
             for (const exercise::ExerciseEvent& event : course_.seen().events)
                 for (lesson::Seat& seat : hands_->seats)
@@ -154,23 +159,17 @@ private:
             take(order);
     }
 
-    /// The model's hands answer what they are asked, and what none of them knows is passed over.
-    void answer_questions() {
-        for (const bool forecastle : {true, false})
-            for (run::QuestionView asked = run::question_to(forecastle, course_.assessor());
-                 !asked.id.empty();) {
-                for (lesson::Seat& seat : hands_->seats)
-                    seat.ask(asked);
-                exercise::Order given =
-                    exercise::AnswerGiven{.question = asked.id, .kind = exercise::AnswerKind::passed_over};
-                for (const lesson::Seat& seat : hands_->seats)
-                    for (const run::ReceivedOrder& order : seat.answer())
-                        given = std::get<run::AnswerOrder>(order.what).answer;
-                take(given);
-                asked = run::question_to(forecastle, course_.assessor());
-                for (lesson::Seat& seat : hands_->seats)
-                    seat.ask(asked);
-            }
+    /// A freeze may come at another tick than it did: what was answered then is answered now.
+    void answer_as_recorded() {
+        for (const bool forecastle : {true, false}) {
+            if (course_.assessor().open_question(forecastle) < 0) continue;
+            const std::string id = run::question_to(forecastle, course_.assessor()).id;
+            const auto recorded = std::ranges::find_if(orders_, [&](const run::OrderView& order) {
+                const auto* answer = std::get_if<exercise::AnswerGiven>(&order.command);
+                return answer != nullptr && answer->question == id;
+            });
+            if (recorded != orders_.end()) take(recorded->command);
+        }
     }
 
     bool was_made(const exercise::ReportMade& report) const {

@@ -11,6 +11,7 @@
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/ghost.hpp"
 
+#include "server/run/questions.hpp"
 #include "tests/recorder/folder.hpp"
 #include "tests/recorder/taped_session.hpp"
 
@@ -58,6 +59,10 @@ fs::path recorded(const fs::path& folder, const console::LessonFile& file, const
                     seat.hear(report, taped.session().snapshot().time);
         }
         taped.run(1);
+        for (const bool forecastle : {true, false}) {
+            const run::QuestionView asked = run::question_to(forecastle, taped.session().assessor());
+            if (!asked.id.empty()) taped.give(run::AnswerOrder{forecastle, lesson::answer_to(asked, seats)});
+        }
         for (; noticed < taped.heard().size(); ++noticed)
             for (lesson::Seat& seat : seats)
                 seat.notice(taped.heard()[noticed], taped.session().snapshot());
