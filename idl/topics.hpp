@@ -348,14 +348,12 @@ inline constexpr Topic<Answer> forecastle_answer{{.name = "ForecastleAnswer",
                                                   .from_server = false,
                                                   .rate = 0,
                                                   .reliable = true,
-
                                                   .depth = 64}};
 inline constexpr Topic<Answer> bridge_answer{{.name = "BridgeAnswer",
                                               .type = "Answer",
                                               .from_server = false,
                                               .rate = 0,
                                               .reliable = true,
-
                                               .depth = 64}};
 inline constexpr Topic<AlertCommand> alert_command{{.name = "AlertCommand",
                                                     .type = "AlertCommand",

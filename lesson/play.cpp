@@ -1,9 +1,11 @@
 #include "lesson/play.hpp"
 
 #include "lesson/seat.hpp"
+#include "server/run/questions.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace windlass::lesson {
@@ -26,16 +28,14 @@ bool worth_telling(const exercise::ExerciseEvent& event) {
 
 constexpr const char* kChanceName = "chance";
 
-/// A freeze: each seat answers what it is asked, and where none has an answer the exercise goes on without.
-void answer_questions(run::Session& session, std::vector<Seat>& seats) {
+/// A freeze: the seats answer, and where none knows the exercise goes on without.
+void answer_at_freeze(run::Session& session, const std::vector<Seat>& seats) {
     while (session.held()) {
-        for (const run::QuestionView& question : session.questions())
-            for (Seat& seat : seats)
-                seat.ask(question);
         run::Inbox inbox;
-        for (const Seat& seat : seats)
-            for (run::ReceivedOrder& order : seat.answer())
-                inbox.orders.push_back(std::move(order));
+        for (const bool forecastle : {true, false})
+            if (session.assessor().open_question(forecastle) >= 0)
+                if (auto answer = answer_to(run::question_to(forecastle, session.assessor()), seats))
+                    inbox.orders.push_back(std::move(*answer));
         if (inbox.orders.empty()) {
             run::RunOrder start;
             start.action = run::RunAction::start;
@@ -44,6 +44,7 @@ void answer_questions(run::Session& session, std::vector<Seat>& seats) {
         session.carry_out(inbox, session.snapshot().time);
     }
 }
+
 } // namespace
 
 exercise::EnvironmentOrder another_sea(const exercise::Snapshot& seen, double more_water,
@@ -99,23 +100,15 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
                 {kChanceName,
                  exercise::Order{another_sea(session.snapshot(), luck.more_water, luck.other_waves)}});
         if (session.snapshot().tick % look_every == 0) {
-            std::vector<Report> reports;
-            for (Seat& seat : seats) {
-                seat.look(session.snapshot(), session.status());
-                for (run::ReceivedOrder& order : seat.act())
-                    inbox.orders.push_back(std::move(order));
-                for (Report& report : seat.take_reports())
-                    reports.push_back(std::move(report));
+            std::ranges::move(look_and_act(seats, session.snapshot(), session.status()),
+                              std::back_inserter(inbox.orders));
+            for (Seat& seat : seats)
                 for (const std::string& words : seat.take_words())
                     tell("trainee", words);
-            }
-            for (const Report& report : reports)
-                for (Seat& seat : seats)
-                    seat.hear(report, session.snapshot().time);
         }
         session.carry_out(inbox, session.snapshot().time);
         if (!session.tick()) throw std::runtime_error(def.name + ": " + session.failure());
-        answer_questions(session, seats);
+        answer_at_freeze(session, seats);
         for (const exercise::ExerciseEvent& event : session.events()) {
             for (Seat& seat : seats)
                 seat.notice(event, session.snapshot());

@@ -48,21 +48,11 @@ void play_on(run::Course& course, const std::vector<trainee::Script>& scripts,
             take(next->command);
         if (course.exercise().tick() % ticks(kLook) == 0) {
             course.exercise().view(seen);
-            std::vector<exercise::Order> orders;
-            std::vector<Report> reports;
-            for (Seat& seat : seats) {
-                seat.look(seen, status);
-                for (run::ReceivedOrder& order : seat.act())
-                    orders.push_back(std::get<exercise::Order>(std::move(order.what)));
-                for (Report& report : seat.take_reports())
-                    reports.push_back(std::move(report));
+            const auto orders = look_and_act(seats, seen, status);
+            for (const run::ReceivedOrder& order : orders)
+                take(std::get<exercise::Order>(order.what));
+            for (Seat& seat : seats)
                 seat.take_words();
-            }
-            for (const Report& report : reports)
-                for (Seat& seat : seats)
-                    seat.hear(report, seen.time);
-            for (const exercise::Order& order : orders)
-                take(order);
         }
         if (!course.step()) throw std::runtime_error(def.name + ": its state ceases to be finite");
         for (const exercise::Order& order : course.ordered())

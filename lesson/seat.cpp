@@ -1,13 +1,14 @@
 #include "lesson/seat.hpp"
 
-#include "server/run/questions.hpp"
-
 #include "server/dds/check.hpp"
 #include "server/dds/convert.hpp"
 #include "server/dds/order_taken.hpp"
+#include "server/run/questions.hpp"
 #include "station/names.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace windlass::lesson {
@@ -117,26 +118,14 @@ void Seat::perform(const trainee::Step& step, std::vector<run::ReceivedOrder>& o
                                      .by = name_}}});
 }
 
-void Seat::ask(const run::QuestionView& question) {
-    if (conns_ && question.forecastle) return; // put to another
+std::optional<run::ReceivedOrder> Seat::answer(const run::QuestionView& question) const {
+    if (conns_ && question.forecastle) return std::nullopt; // put to another
     Question sample;
     dds::convert(question, sample);
-    if (question.forecastle)
-        picture_.take_forecastle_question(sample, at(question.time));
-    else
-        picture_.take_bridge_question(sample, at(question.time));
-}
-
-std::vector<run::ReceivedOrder> Seat::answer() const {
-    std::vector<run::ReceivedOrder> orders;
-    for (const bool forecastle : {true, false}) {
-        const auto& asked = picture_.questions.at(forecastle ? 0 : 1);
-        if (!asked || asked->id().size() == 0) continue;
-        if (const auto answer = trainee::answer_to(*asked, answers_))
-            orders.push_back({name_, forecastle ? dds::order(dds::ForecastleAnswer{*answer})
-                                                : dds::order(dds::BridgeAnswer{*answer})});
-    }
-    return orders;
+    const auto answer = trainee::answer_to(sample, answers_);
+    if (!answer) return std::nullopt;
+    return run::ReceivedOrder{name_, question.forecastle ? dds::order(dds::ForecastleAnswer{*answer})
+                                                         : dds::order(dds::BridgeAnswer{*answer})};
 }
 
 /// Keys set no wheel between two of their steps: he opens it until the cable runs as fast as he likes it, and
@@ -191,24 +180,38 @@ std::string Seat::waiting_for() const {
     return player_.waiting_for(picture_);
 }
 
-exercise::AnswerGiven answer_to(const run::QuestionView& question, std::vector<Seat>& seats) {
-    for (Seat& seat : seats)
-        seat.ask(question);
-    for (const Seat& seat : seats)
-        for (const run::ReceivedOrder& order : seat.answer())
-            return std::get<run::AnswerOrder>(order.what).answer;
-    return {.question = question.id, .kind = exercise::AnswerKind::passed_over};
+std::vector<run::ReceivedOrder> look_and_act(std::vector<Seat>& seats, const exercise::Snapshot& seen,
+                                             const run::RunStatus& status) {
+    std::vector<run::ReceivedOrder> orders;
+    std::vector<Report> reports;
+    for (Seat& seat : seats) {
+        seat.look(seen, status);
+        std::ranges::move(seat.act(), std::back_inserter(orders));
+        std::ranges::move(seat.take_reports(), std::back_inserter(reports));
+    }
+    for (const Report& report : reports)
+        for (Seat& seat : seats)
+            seat.hear(report, seen.time);
+    return orders;
 }
 
-void answer_questions(const assess::Assessor& assessor, std::vector<Seat>& seats,
+std::optional<run::ReceivedOrder> answer_to(const run::QuestionView& question,
+                                            const std::vector<Seat>& seats) {
+    for (const Seat& seat : seats)
+        if (auto answer = seat.answer(question)) return answer;
+    return std::nullopt;
+}
+
+void answer_questions(const assess::Assessor& assessor, const std::vector<Seat>& seats,
                       const std::function<void(const exercise::Order&)>& take) {
-    for (const bool forecastle : {true, false}) {
-        if (assessor.open_question(forecastle) < 0) continue;
-        while (assessor.open_question(forecastle) >= 0)
-            take(answer_to(run::question_to(forecastle, assessor), seats));
-        for (Seat& seat : seats) // nothing any more
-            seat.ask(run::question_to(forecastle, assessor));
-    }
+    for (const bool forecastle : {true, false})
+        while (assessor.open_question(forecastle) >= 0) {
+            const run::QuestionView question = run::question_to(forecastle, assessor);
+            const auto answer = answer_to(question, seats);
+            take(answer ? std::get<run::AnswerOrder>(answer->what).answer
+                        : exercise::AnswerGiven{.question = question.id,
+                                                .kind = exercise::AnswerKind::passed_over});
+        }
 }
 
 } // namespace windlass::lesson

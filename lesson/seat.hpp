@@ -21,11 +21,9 @@ public:
     /// He hears a report of the forecastle, as a bridge does. time: s.
     void hear(const Report& report, double time);
     void hear(const exercise::ReportMade& report, double time);
-    /// He is asked something at a freeze, or nothing any more.
-    void ask(const run::QuestionView& question);
-    /// His answers to what he is asked; none: he has none, or is not asked. Throws std::runtime_error where
-    /// his script answers what the question does not allow.
-    std::vector<run::ReceivedOrder> answer() const;
+    /// His answer to what is asked at a freeze; nothing: he has none, or it is put to another. Throws
+    /// std::runtime_error where his script answers what the question does not allow.
+    std::optional<run::ReceivedOrder> answer(const run::QuestionView& question) const;
     /// What he does now; his windlass's levers every time, as a station sends them.
     std::vector<run::ReceivedOrder> act();
 
@@ -61,12 +59,19 @@ private:
     std::vector<std::string> words_;
 };
 
-/// What these seats answer to what is asked at a freeze; passed over where none of them knows. Throws
-/// std::runtime_error where a script answers what the question does not allow.
-exercise::AnswerGiven answer_to(const run::QuestionView& question, std::vector<Seat>& seats);
+/// All of them look, act, and hear what the others report: what they do now. What they say aloud waits in
+/// each.
+std::vector<run::ReceivedOrder> look_and_act(std::vector<Seat>& seats, const exercise::Snapshot& seen,
+                                             const run::RunStatus& status);
 
-/// These seats answer all that a lesson asks now; take: what an answer does to the exercise.
-void answer_questions(const assess::Assessor& assessor, std::vector<Seat>& seats,
+/// What the first of them that knows answers to what is asked at a freeze; nothing: none knows. Throws
+/// std::runtime_error where a script answers what the question does not allow.
+std::optional<run::ReceivedOrder> answer_to(const run::QuestionView& question,
+                                            const std::vector<Seat>& seats);
+
+/// These seats answer all that a lesson asks now, and what none knows is passed over. take: what an answer
+/// does to the exercise.
+void answer_questions(const assess::Assessor& assessor, const std::vector<Seat>& seats,
                       const std::function<void(const exercise::Order&)>& take);
 
 } // namespace windlass::lesson

@@ -119,6 +119,7 @@ void Picture::receive(const Event& sample, Clock::time_point) {
 void Picture::receive(const SeatEvent& sample, Clock::time_point) {
     seat_events.receive(sample);
 }
+
 void Picture::take_forecastle_question(const Question& sample, Clock::time_point now) {
     put(questions[0], sample, now);
 }

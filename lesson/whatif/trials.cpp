@@ -108,7 +108,7 @@ public:
         const bool model = tick() >= model_from_;
         const bool conned = hands_ && std::ranges::any_of(hands_->seats, &lesson::Seat::conns);
         for (; next_ < orders_.size() && orders_[next_].tick <= tick(); ++next_)
-            if (!std::holds_alternative<exercise::AnswerGiven>(orders_[next_].command) &&
+            if (!std::holds_alternative<exercise::AnswerGiven>(orders_[next_].command) && // when it is asked
                 (!model || !of_a_hand(orders_[next_].command, conned)))
                 take(orders_[next_].command);
         if (hands_ && tick() % look_every_ == 0) look(model);

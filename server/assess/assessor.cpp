@@ -1,5 +1,6 @@
 #include "server/assess/assessor.hpp"
 
+#include "server/assess/questions.hpp"
 #include "server/exercise/state_hash.hpp"
 
 namespace windlass::assess {
@@ -44,6 +45,10 @@ void Assessor::fold(const exercise::Snapshot& seen, std::vector<exercise::Order>
 
 void Assessor::hear(const exercise::Order& order) {
     if (lesson_) assess::hear(*lesson_, state_, order, tick_rate_);
+}
+
+int Assessor::open_question(bool of_forecastle) const {
+    return lesson_ ? assess::open_question(*lesson_, state_, of_forecastle) : -1;
 }
 
 Result Assessor::result() const {

@@ -30,9 +30,7 @@ public:
     const Lesson* lesson() const { return lesson_ ? &*lesson_ : nullptr; }
     const State& state() const { return state_; }
     /// Place of the question that waits for an answer of that seat, the first one; -1: none does.
-    int open_question(bool of_forecastle) const {
-        return lesson_ ? assess::open_question(*lesson_, state_, of_forecastle) : -1;
-    }
+    int open_question(bool of_forecastle) const;
     Result result() const;
     /// The same as it would be had the assessor said nothing.
     Result computed() const;

@@ -4,6 +4,7 @@
 #include "server/assess/chance.hpp"
 #include "server/assess/marks.hpp"
 #include "server/assess/quantities.hpp"
+#include "server/assess/questions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -283,13 +284,6 @@ bool holds(const Condition& condition, const Lesson& lesson, State& state, const
     return state.tick - since >= ticks(condition.hold, tick_rate);
 }
 
-int open_question(const Lesson& lesson, const State& state, bool of_forecastle) {
-    for (std::size_t k = 0; k < lesson.questions.size(); ++k)
-        if (state.questions[k].open && lesson.questions[k].forecastle == of_forecastle)
-            return static_cast<int>(k);
-    return -1;
-}
-
 double figure(int quantity, const Snapshot& seen, const TackleView& tackle, const State& state) {
     const Quantity& one = quantities()[static_cast<std::size_t>(quantity)];
     return one.read != nullptr ? one.read(seen, tackle)
@@ -371,7 +365,7 @@ void hear(const Lesson& lesson, State& state, const exercise::Order& order, int 
     if (const auto* answer = std::get_if<exercise::AnswerGiven>(&order)) {
         for (std::size_t k = 0; k < lesson.criteria.size(); ++k)
             if (lesson.criteria[k].id == answer->question)
-                take_answer(lesson.criteria[k], state.marks[k], *answer, state, lesson);
+                judge_answer(lesson.criteria[k], state.marks[k], *answer, state, lesson);
         return;
     }
     if (const auto* drawn = std::get_if<exercise::ChanceDrawn>(&order)) return draw(lesson, state, *drawn);

@@ -19,9 +19,6 @@ void fold(const Lesson& lesson, State& state, const exercise::Snapshot& seen, in
 /// assessor's word.
 void hear(const Lesson& lesson, State& state, const exercise::Order& order, int tick_rate);
 
-/// Place of the question that waits for an answer of that seat, the first one; -1: none does.
-int open_question(const Lesson& lesson, const State& state, bool of_forecastle);
-
 /// Whether a condition holds at this tick. Conditions that must hold for a while are to be asked every tick.
 bool holds(const Condition& condition, const Lesson& lesson, State& state, const exercise::Snapshot& seen,
            int tick_rate);

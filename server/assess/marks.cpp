@@ -1,6 +1,7 @@
 #include "server/assess/marks.hpp"
 
 #include "server/assess/quantities.hpp"
+#include "server/assess/questions.hpp"
 #include "server/exercise/talk/bridge_orders.hpp"
 #include "server/physics/base/units.hpp"
 #include "words/words.hpp"
@@ -14,12 +15,6 @@ namespace {
 
 std::int64_t ticks(double seconds, const Look& look) {
     return std::llround(seconds * look.tick_rate);
-}
-
-void decide(Mark& mark, int milli, std::int64_t tick) {
-    mark.milli = milli;
-    mark.state = is_met(milli) ? CriterionState::met : CriterionState::not_met;
-    mark.decided = tick;
 }
 
 /// In play from `from` on, or from the lesson's beginning; over once `to` holds. False: not now.
@@ -296,40 +291,6 @@ void look_at_report(const Criterion& criterion, Mark& mark, const Look& look) {
     if (look.tick() - truth > ticks(criterion.half, look)) decide(mark, 0, look.tick());
 }
 
-/// Asked once, and then the exercise holds: what is so now is what will judge the answer.
-void look_at_question(const Criterion& criterion, Mark& mark, const Look& look) {
-    const auto place = static_cast<std::size_t>(criterion.question);
-    const Question& question = look.lesson.questions[place];
-    QuestionCourse& course = look.state.questions[place];
-    if (course.asked >= 0) return;
-    std::int64_t right = 0; // looked at at every tick: it may have to be so for a while
-    for (std::size_t k = 0; k < question.choices.size(); ++k)
-        if (look.holds(question.choices[k].right)) right |= std::int64_t{1} << k;
-    if (!look.holds(question.when)) return;
-    course = {.asked = look.tick(), .open = true, .right = right};
-    if (question.quantity >= 0)
-        course.truth =
-            figure(question.quantity, look.seen, *tackle_of(look.seen, criterion.side), look.state) /
-            question.one;
-    mark.began = look.tick();
-    mark.state = CriterionState::open;
-}
-
-bool allows(const Question& question, const exercise::AnswerGiven& answer) {
-    if (answer.kind == exercise::AnswerKind::number) return question.choices.empty();
-    if (answer.kind != exercise::AnswerKind::choice) return true;
-    return answer.choice >= 0 && answer.choice < static_cast<int>(question.choices.size());
-}
-
-int earned_by(const exercise::AnswerGiven& answer, const Question& question, const QuestionCourse& course) {
-    if (answer.kind == exercise::AnswerKind::choice)
-        return (course.right >> answer.choice & 1) != 0 ? 1000 : 0;
-    if (answer.kind != exercise::AnswerKind::number) return 0;
-    const double apart = answer.value - course.truth;
-    const double off = std::abs(question.period > 0 ? std::remainder(apart, question.period) : apart);
-    return off <= question.tolerance ? 1000 : off <= 2 * question.tolerance ? 500 : 0;
-}
-
 double hours_apart(double a, double b) {
     const double apart = std::fmod(std::abs(a - b), 12.0);
     return std::min(apart, 12 - apart);
@@ -401,6 +362,12 @@ FigureTruth truth_of(const Heard& report, const exercise::TackleView& tackle, co
 }
 
 } // namespace
+
+void decide(Mark& mark, int milli, std::int64_t tick) {
+    mark.milli = milli;
+    mark.state = is_met(milli) ? CriterionState::met : CriterionState::not_met;
+    mark.decided = tick;
+}
 
 bool is_report(const Criterion& criterion, exercise::ReportCode code) {
     const auto of_shackles = [](exercise::ReportCode one) {
@@ -474,19 +441,6 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look) {
     case CriterionKind::rubric:
         return;
     }
-}
-
-void take_answer(const Criterion& criterion, Mark& mark, const exercise::AnswerGiven& answer, State& state,
-                 const Lesson& lesson) {
-    if (criterion.question < 0) return;
-    const auto place = static_cast<std::size_t>(criterion.question);
-    QuestionCourse& course = state.questions[place];
-    const Question& question = lesson.questions[place];
-    // What is none of its answers no session lets in, and a damaged recording may have.
-    if (!course.open || !allows(question, answer)) return;
-    course.open = false;
-    course.answer = answer.kind, course.value = answer.value, course.choice = answer.choice;
-    decide(mark, earned_by(answer, question, course), state.tick);
 }
 
 void take_report(const Criterion& criterion, Mark& mark, const Heard& report, const Look& look) {

@@ -28,9 +28,8 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look);
 /// Takes a report that came at this tick.
 void take_report(const Criterion& criterion, Mark& mark, const Heard& report, const Look& look);
 
-/// Takes the answer to an open question: the truth of the freeze judges it.
-void take_answer(const Criterion& criterion, Mark& mark, const exercise::AnswerGiven& answer, State& state,
-                 const Lesson& lesson);
+/// From this tick on the mark is that, 0..1000.
+void decide(Mark& mark, int milli, std::int64_t tick);
 
 /// The lesson has ended: what was open is decided.
 void close(const Criterion& criterion, Mark& mark, State& state, const Lesson& lesson, int tick_rate);

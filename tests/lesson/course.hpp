@@ -2,6 +2,7 @@
 // A course of pictures that a test draws, with a lesson folded over it.
 
 #include "server/assess/assessor.hpp"
+#include "server/assess/questions.hpp"
 
 #include <cmath>
 

@@ -46,23 +46,16 @@ fs::path recorded(const fs::path& folder, const console::LessonFile& file, const
     std::size_t noticed = 0;
     while (!taped.session().assessor().ended()) {
         if (taped.session().now_tick() % static_cast<std::uint64_t>(look) == 0) {
-            std::vector<Report> reports;
-            for (lesson::Seat& seat : seats) {
-                seat.look(taped.session().snapshot(), taped.session().status());
-                for (run::ReceivedOrder& order : seat.act())
-                    taped.give(order.what, order.source.c_str());
-                for (Report& report : seat.take_reports())
-                    reports.push_back(std::move(report));
-            }
-            for (const Report& report : reports)
-                for (lesson::Seat& seat : seats)
-                    seat.hear(report, taped.session().snapshot().time);
+            for (run::ReceivedOrder& order :
+                 lesson::look_and_act(seats, taped.session().snapshot(), taped.session().status()))
+                taped.give(std::move(order.what), order.source.c_str());
         }
         taped.run(1);
-        for (const bool forecastle : {true, false}) {
-            const run::QuestionView asked = run::question_to(forecastle, taped.session().assessor());
-            if (!asked.id.empty()) taped.give(run::AnswerOrder{forecastle, lesson::answer_to(asked, seats)});
-        }
+        for (const bool forecastle : {true, false})
+            if (taped.session().assessor().open_question(forecastle) >= 0)
+                if (auto answer =
+                        lesson::answer_to(run::question_to(forecastle, taped.session().assessor()), seats))
+                    taped.give(std::move(answer->what), answer->source.c_str());
         for (; noticed < taped.heard().size(); ++noticed)
             for (lesson::Seat& seat : seats)
                 seat.notice(taped.heard()[noticed], taped.session().snapshot());

@@ -69,8 +69,10 @@ void ObstacleContacts::find_link(int i) {
         for (int side = 0; side < 3; ++side)
             if (triangle.ridge[side] && triangle.own_side[side]) lay_round(i, lower, upper, triangle, side);
     }
-    if (ridges_found_ == 0 || least_way_round().passed) return;
-    Edge edge = least_way_round().edge;
+    if (ridges_found_ == 0) return;
+    const Ridge& least = least_way_round();
+    if (least.passed) return;
+    Edge edge = least.edge;
     edge.surface_velocity = surface_velocity(body_->position + body_->attitude * edge.foot);
     edge.foot = body_->position + body_->attitude * edge.foot;
     edge.along = body_->attitude * edge.along;
