@@ -13,11 +13,13 @@ std::string debrief_page(const std::filesystem::path& path, const std::filesyste
     debrief::read_scenes(recording, attempt);
     debrief::PageOptions options{.links = {.kind = debrief::Links::Kind::beside, .station = {}, .token = {}}};
     std::optional<debrief::Attempt> model;
-    try {
-        model = recorder::model_ghost(recording, attempt, config);
-        options.ghost = debrief::Ghost{&*model, "as the model hands did it"};
-    } catch (const std::runtime_error&) {
-        // No lesson, or not from its beginning: the page has all the rest.
+    if (attempt.assessment) {
+        try {
+            model = recorder::model_ghost(recording, attempt, config);
+            options.ghost = debrief::Ghost{&*model, "as the model hands did it"};
+        } catch (const std::runtime_error& error) {
+            options.no_ghost = error.what();
+        }
     }
     return debrief::page_of(attempt, options);
 }

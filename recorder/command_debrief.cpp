@@ -61,10 +61,10 @@ debrief::Attempt read(const std::vector<fs::path>& paths, std::size_t run, bool&
 }
 
 /// The lesson as other hands did it: of the recording that is named, else the model run. Nothing: it is not
-/// wanted, there was no lesson, or why it cannot be had is told. Throws std::runtime_error when the recording
-/// that is named is of something else.
+/// wanted, there was no lesson, or no_ghost says why it cannot be had. Throws std::runtime_error when the
+/// recording that is named is of something else.
 std::optional<debrief::Attempt> ghost_of(const DebriefOptions& options, const debrief::Attempt& attempt,
-                                         bool& whole) {
+                                         bool& whole, std::string& no_ghost) {
     if (!options.ghost.empty()) {
         auto ghost = read({options.ghost}, 0, whole, false);
         if (const std::string why = debrief::unlike(attempt, ghost); !why.empty())
@@ -76,7 +76,8 @@ std::optional<debrief::Attempt> ghost_of(const DebriefOptions& options, const de
         recording::Recording recording(options.paths);
         return model_ghost(recording, attempt, options.config);
     } catch (const std::runtime_error& error) {
-        tell(fmt::format("the model run is not laid behind the curves: {}", error.what()));
+        no_ghost = error.what();
+        tell(fmt::format("the model run is not laid behind the curves: {}", no_ghost));
         return std::nullopt;
     }
 }
@@ -86,7 +87,7 @@ int debrief_recording(const DebriefOptions& options) {
     debrief::PageOptions page;
     if (!options.station.empty()) page.links = debrief::links_to(options.station);
     const auto attempt = read(options.paths, options.run, whole, true);
-    const auto ghost = ghost_of(options, attempt, whole);
+    const auto ghost = ghost_of(options, attempt, whole, page.no_ghost);
     if (ghost)
         page.ghost = debrief::Ghost{&*ghost, options.ghost.empty() ? "as the model hands did it"
                                                                    : "as in " + ghost->origin.recording};

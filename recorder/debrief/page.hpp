@@ -53,6 +53,7 @@ struct PageOptions {
     Links links;
     std::vector<const Attempt*> over = {}; ///< other attempts, laid over the plots: three at most
     std::optional<Ghost> ghost = {};
+    std::string no_ghost = {};                        ///< why there is none where one was wanted
     std::optional<std::vector<Remedy>> remedies = {}; ///< nothing: they were not searched for
 };
 

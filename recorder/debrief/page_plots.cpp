@@ -200,7 +200,11 @@ std::string plots_part(const PageContext& page) {
         html += fmt::format(" style=\"--ghost-moved: {:.1f}px\"",
                             width_of(align(attempt, *ghost).shift, attempt.began, end_of(attempt)));
     html += ">\n<h2 id=\"plots\">Over time</h2>\n";
-    if (ghost != nullptr) html += ghost_choice(page);
+    if (ghost != nullptr)
+        html += ghost_choice(page);
+    else if (!page.options.no_ghost.empty())
+        html += fmt::format("<p>The model run is not laid behind the curves: {}.</p>\n",
+                            escaped(page.options.no_ghost));
     const auto others = [&](auto series_of) {
         std::vector<const std::vector<Series>*> all;
         for (const Attempt* other : page.options.over)

@@ -185,6 +185,8 @@ TEST(Ghost, WithoutItsScriptThePageIsMadeAndSaysWhyThereIsNone) {
     const debrief::Attempt attempt = debrief::read_attempt(recording);
     EXPECT_THAT([&] { model_ghost(recording, attempt, folder / "nowhere"); },
                 testing::ThrowsMessage<std::runtime_error>(HasSubstr("is not there; --config says where")));
+    EXPECT_THAT(console::debrief_page(path, folder / "nowhere"),
+                HasSubstr("<p>The model run is not laid behind the curves: "));
 }
 
 } // namespace windlass::recorder
