@@ -92,7 +92,7 @@ private:
     std::vector<int> triangles_; ///< those that what is looked at may meet
     std::array<Support, 3> supports_;
     int supported_ = 0;
-    std::array<Ridge, 8> ridges_; ///< that a link lies round or near
+    std::array<Ridge, 8> ridges_; ///< that a link lies round or near; more are left alone
     int ridges_found_ = 0;
     bool behind_ = false; ///< the node is behind some triangle, perhaps inside the body
 
