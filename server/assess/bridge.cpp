@@ -352,15 +352,28 @@ private:
         }
         if (course.short_of >= 0)
             return !passed(std::max(course.short_of, last_word()), kRenews) || again(k, "not enough yet");
-        if (!passed(std::max(course.given, course.do_by), kWaitsAnswer) || !passed(last_word(), kWaitsAnswer))
+        if (men_work() || !passed(std::max(course.given, course.do_by), kWaitsAnswer) ||
+            !passed(last_word(), kWaitsAnswer))
             return true;
         return of_length(given) ? ask(BridgeOrderCode::how_much, given.side) : again(k, "I say again");
+    }
+
+    /// Whether men forward are at what they were set to. The bridge sees them, and that is as good as a word:
+    /// it asks no sooner than it would have, had they told it so when they were done.
+    bool men_work() {
+        const bool work = std::ranges::any_of(seen_.tackle, [](const exercise::TackleView& tackle) {
+            const exercise::DeckWorkView& men = tackle.deck_work;
+            return men.set != exercise::DeckWork::none && men.waits == words::DeckHindrance::none &&
+                   men.left > 0;
+        });
+        if (work) state_.heard_at = state_.tick;
+        return work;
     }
 
     /// Asks for the report that the next order or the end hangs on, when it has heard nothing for long.
     bool ask_for_report(int newest) {
         const Condition* when = comes_next(lesson_, state_);
-        if (when == nullptr || !passed(last_word(), lesson_.patience)) return true;
+        if (when == nullptr || men_work() || !passed(last_word(), lesson_.patience)) return true;
         const std::int64_t since = newest < 0 ? 0 : state_.orders[static_cast<std::size_t>(newest)].given;
         const auto report = awaited(*when, lesson_, state_, since);
         if (!report) return true;

@@ -135,6 +135,27 @@ TEST(Bridge, AsksForTheReportThatItWaitsFor) {
 }
 
 // Two hands are told at once, and what follows hangs on both: the one who says nothing is asked.
+TEST(Bridge, AsksNothingWhileMenForwardAreAtTheirWork) {
+    Bridge bridge(kPayOut);
+    exercise::DeckWorkView& men = bridge.seen().tackle[0].deck_work;
+    men = {.set = exercise::DeckWork::clear_anchor, .left = 480};
+    bridge.on(480);
+    EXPECT_EQ(bridge.said.size(), 1U); // the order alone
+    men.left = 0;
+    bridge.on(29); // as long as after a word of theirs
+    EXPECT_EQ(bridge.said.size(), 1U);
+    bridge.on(2);
+    EXPECT_EQ(bridge.said.size(), 2U);
+}
+
+TEST(Bridge, AsksWhatMenForwardWaitForWhoCannotGoOn) {
+    Bridge bridge(kPayOut);
+    bridge.seen().tackle[0].deck_work = {
+        .set = exercise::DeckWork::clear_anchor, .left = 480, .waits = words::DeckHindrance::stopper_off};
+    bridge.on(120);
+    EXPECT_GT(bridge.said.size(), 1U);
+}
+
 TEST(Bridge, AsksHimWhoHasNotAnsweredThoughAnotherHas) {
     Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
         {"id": "port", "code": "hold_on", "value": 4, "side": "port", "when": {"time": 1}},
