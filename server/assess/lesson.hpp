@@ -203,6 +203,7 @@ struct Lesson {
     bool practice = false; ///< this attempt is for practice: it has the hints, and is no test of competence
     bool bridge_manned = false;
     int side = 0;
+    bool two_sides = false;            ///< the exercise has two windlasses
     int pass = 70;                     ///< points of 100
     bool marks_when_confirmed = false; ///< seats are told their marks then, and not at the lesson's end
     std::vector<Objective> objectives;

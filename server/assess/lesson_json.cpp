@@ -42,6 +42,7 @@ public:
         lesson_.practice = json_.value(kPractice, false);
         lesson_.bridge_manned = json_.value("bridge", "lesson") == "manned";
         lesson_.side = side(json_, "/lesson", sides_.empty() ? 0 : sides_.front());
+        lesson_.two_sides = sides_.size() > 1;
         lesson_.pass = json_.value("pass", 70);
         lesson_.marks_when_confirmed = json_.value("marks_told", "at_end") == "when_confirmed";
         lesson_.patience = json_.value("patience", 0.0);

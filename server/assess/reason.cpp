@@ -76,14 +76,21 @@ std::string order_of(const Lesson& lesson, std::size_t order) {
     return '"' + (words.empty() ? given.text : words) + '"';
 }
 
+/// " (port)", where there are two windlasses that it could be about.
+std::string of_side(const Lesson& lesson, int side) {
+    if (!lesson.two_sides) return "";
+    return side == 1 ? " (starboard)" : " (port)";
+}
+
 std::string sign_words(const Lesson& lesson, const Sign& sign) {
     const auto k = static_cast<std::size_t>(sign.index);
     switch (sign.kind) {
     case SignKind::event:
-        return spaced(lesson.events[k].code);
+        return spaced(lesson.events[k].code) + of_side(lesson, lesson.events[k].side);
     case SignKind::report:
         return "reported: " +
-               spaced(words::kReportNames.at(static_cast<std::size_t>(lesson.reports[k].code)));
+               spaced(words::kReportNames.at(static_cast<std::size_t>(lesson.reports[k].code))) +
+               of_side(lesson, lesson.reports[k].side);
     case SignKind::moment:
         return "moment " + lesson.moments[k].id;
     case SignKind::order_given:

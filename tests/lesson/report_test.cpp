@@ -362,7 +362,7 @@ TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
     missed.event("anchor.on_bottom");
     missed.run(40);
     EXPECT_EQ(missed.mark().reason,
-              "0:05 anchor on bottom: \"on the bottom\" wanted within 15 s, not reported: "
+              "0:05 anchor on bottom (port): \"on the bottom\" wanted within 15 s, not reported: "
               "10.0 of 10 points lost");
     EXPECT_EQ(missed.mark().lost_tick, 51U);
     missed.report(ReportCode::on_the_bottom);
