@@ -10,6 +10,7 @@
 #include "server/keep/keeper.hpp"
 #include "server/keep/kept_folders.hpp"
 #include "server/options.hpp"
+#include "server/run/briefing.hpp"
 #include "server/workers/supervisor.hpp"
 
 #include <spdlog/async.h>
@@ -226,8 +227,12 @@ int serve(const Options& options, workers::Pulse pulse) {
             pulse.starting();
             defs.push_back(wanted.file.empty() ? exercise::ExerciseDef()
                                                : exercise::with_prelude_played(load(options, wanted.file)));
+            if (options.practice) run::put_to_practice(defs.back());
         }
     } catch (const ConfigError& error) {
+        spdlog::error("{}", error.what());
+        return kBadConfiguration;
+    } catch (const std::invalid_argument& error) { // no lesson to practise
         spdlog::error("{}", error.what());
         return kBadConfiguration;
     }

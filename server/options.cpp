@@ -133,6 +133,8 @@ std::variant<Options, int> read_options(int argc, char** argv) {
         ->type_name("S")
         ->check(zero_or_range(1e-3, 1e7))
         ->capture_default_str();
+    app.add_flag("--practice", options.practice,
+                 "play the lessons of --exercise for practice: with hints, and not as a test");
     app.add_flag("--wait", options.wait, "begin ready, and start when an instructor orders it");
     auto* realtime =
         app.add_flag("--realtime", options.realtime,

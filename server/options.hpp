@@ -39,6 +39,7 @@ struct Options {
     double time_scale = 1;         ///< 0: as fast as possible
     double duration = 0;           ///< s of exercise, 0: until stopped
     bool wait = false;
+    bool practice = false; ///< the exercises to begin with are played for practice: each has a lesson
     bool realtime = false;
     std::filesystem::path fault_folder = ".";
     std::filesystem::path security; ///< folder with the server's identity; empty: without

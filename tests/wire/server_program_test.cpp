@@ -56,6 +56,19 @@ TEST(ServerProgram, ExerciseWithABadValueEndsWithCode3AndNamesTheField) {
     std::filesystem::remove(file);
 }
 
+TEST(ServerProgram, PracticeOfWhatHasNoLessonEndsWithCode3AndSaysSo) {
+    expect_code({"--practice"}, 3, "has no lesson; name an exercise that has one, or leave practice out");
+}
+
+TEST(ServerProgram, PracticeIsToldInTheBriefing) {
+    ServerProcess server({"--domain", domain(), "--practice", "--exercise",
+                          std::string(WINDLASS_CONFIG_DIR) + "/exercises/L01_let_go_25m.json", "--duration",
+                          "1", "--time-scale", "0"});
+    EXPECT_EQ(server.exit_code(), 0) << server.text();
+    EXPECT_NE(server.text().find("is for practice: you may be given a hint"), std::string::npos)
+        << server.text();
+}
+
 TEST(ServerProgram, DdsThatCannotStartEndsWithCode4) {
     setenv("FASTRTPS_DEFAULT_PROFILES_FILE", "/nowhere/profiles.xml", 1);
     expect_code({"--domain", domain()}, 4, "/nowhere/profiles.xml");
