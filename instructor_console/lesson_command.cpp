@@ -2,6 +2,7 @@
 
 #include "instructor_console/hands_table.hpp"
 #include "instructor_console/lesson_files.hpp"
+#include "instructor_console/played_doubts.hpp"
 #include "lesson/hands.hpp"
 #include "lesson/play.hpp"
 #include "lesson/whatif/words.hpp"
@@ -33,6 +34,7 @@ struct LessonOptions {
     bool told = false;
     bool hands = false;
     bool practice = false;
+    bool play = false; ///< check: play them, too
 };
 
 const char* word(CriterionState state) {
@@ -110,6 +112,9 @@ int check(const LessonOptions& options) {
             file.lesson.hints.size());
         for (const std::string& doubt : doubts(file))
             std::cout << fmt::format("  {}\n", doubt);
+        if (options.play)
+            for (const std::string& told : played_doubts(file))
+                std::cout << fmt::format("  {}\n", told) << std::flush;
     }
     return station::kOk;
 }
@@ -338,10 +343,12 @@ void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& 
         sub->callback([options, chosen, work] { chosen([options, work] { return work(*options); }); });
         return sub;
     };
-    add("check", "whether files are sound: each mistake with its place and a remedy", check)
-        ->add_option("file", options->files, "exercise files with a lesson")
-        ->required();
-    CLI::App* sub = add("list", "the lessons of a folder", list);
+    CLI::App* sub = add("check", "whether files are sound: each mistake with its place and a remedy", check);
+    sub->add_option("file", options->files, "exercise files with a lesson")->required();
+    sub->add_flag("--play", options->play,
+                  "play the model run, too: musts and orders that it never meets, and when each fault could "
+                  "first be noticed");
+    sub = add("list", "the lessons of a folder", list);
     sub->add_option("folder", options->folder, "of exercise files")->capture_default_str();
     sub = add("new", "write a lesson to begin with", make_new);
     sub->add_option("id", options->id, "its short name, e.g. L30")->required();
