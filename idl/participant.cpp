@@ -39,7 +39,8 @@ Participant::Participant(const JoinOptions& session)
 Participant::Participant(const Participant& member, const std::string& partition)
     : impl_(std::make_shared<Impl>(member.impl_->member, partition)) {}
 
-Member::Member(const JoinOptions& session) : versions_(session.on_other_version) {
+Member::Member(const JoinOptions& session)
+    : versions_(session.on_other_version), identity_(session.security) {
     if (session.domain < 0 || session.domain > kHighestDomain) {
         throw std::runtime_error("DDS: domain " + std::to_string(session.domain) + " is not in 0.." +
                                  std::to_string(kHighestDomain));
@@ -101,7 +102,8 @@ dds::Topic* Member::topic(const TopicInfo& info, const dds::TypeSupport& type) {
     return made;
 }
 
-Participant::Impl::Impl(std::shared_ptr<Member> of, const std::string& partition) : member(std::move(of)) {
+Participant::Impl::Impl(std::shared_ptr<Member> of, const std::string& in)
+    : member(std::move(of)), partition(in) {
     if (partition.empty()) throw std::runtime_error("DDS: the partition has no name");
     dds::PublisherQos publisher_qos;
     publisher_qos.partition().push_back(partition.c_str());
@@ -112,6 +114,13 @@ Participant::Impl::Impl(std::shared_ptr<Member> of, const std::string& partition
     if (publisher == nullptr || subscriber == nullptr)
         throw std::runtime_error("DDS: no publisher or subscriber in partition " + partition);
     member->versions().add_partition(partition);
+}
+
+std::runtime_error Participant::Impl::none_of(const char* end, const TopicInfo& info) const {
+    const auto& identity = member->identity();
+    return std::runtime_error(
+        std::string("DDS: no ") + end + " of topic " + info.name + " in partition " + partition +
+        (identity.empty() ? "" : ": the permissions in " + identity.string() + " forbid it"));
 }
 
 Participant::Impl::~Impl() {

@@ -9,7 +9,10 @@
 #include <fastdds/dds/topic/TypeSupport.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <mutex>
+#include <stdexcept>
+#include <string>
 
 namespace windlass::wire {
 
@@ -34,9 +37,11 @@ public:
 
     eprosima::fastdds::dds::DomainParticipant& participant() { return *participant_; }
     VersionWatch& versions() { return versions_; }
+    const std::filesystem::path& identity() const { return identity_; }
 
 private:
     VersionWatch versions_;
+    std::filesystem::path identity_; // empty: open to all
     eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
     std::mutex topics_;
 };
@@ -53,7 +58,11 @@ struct Participant::Impl {
         return member->topic(info, type);
     }
 
+    /// Why there is none, as far as we know. end: "reader" or "writer".
+    std::runtime_error none_of(const char* end, const TopicInfo& info) const;
+
     std::shared_ptr<Member> member;
+    std::string partition;
     eprosima::fastdds::dds::Publisher* publisher = nullptr;
     eprosima::fastdds::dds::Subscriber* subscriber = nullptr;
 };

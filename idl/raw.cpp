@@ -109,7 +109,7 @@ struct RawReader::Impl : dds::DataReaderListener {
         const auto qos = shared_qos<dds::DataReaderQos>(info, type->m_typeSize);
         reader = participant->subscriber->create_datareader(participant->topic(info, type), qos, this,
                                                             dds::StatusMask::data_available());
-        if (reader == nullptr) throw std::runtime_error(std::string("DDS: no reader of topic ") + info.name);
+        if (reader == nullptr) throw participant->none_of("reader", info);
     }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
@@ -168,7 +168,7 @@ struct RawWriter::Impl : MatchedReaders {
         qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000}; // as with typed writers
         writer = participant->publisher->create_datawriter(participant->topic(info, type), qos, this,
                                                            dds::StatusMask::publication_matched());
-        if (writer == nullptr) throw std::runtime_error(std::string("DDS: no writer of topic ") + info.name);
+        if (writer == nullptr) throw participant->none_of("writer", info);
     }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;

@@ -92,7 +92,7 @@ struct Writer<T>::Impl : MatchedReaders {
         writer = participant->publisher->create_datawriter(participant->topic(info, type), qos, this,
                                                            dds::StatusMask::offered_incompatible_qos()
                                                                << dds::StatusMask::publication_matched());
-        if (writer == nullptr) throw std::runtime_error(std::string("DDS: no writer of topic ") + info.name);
+        if (writer == nullptr) throw participant->none_of("writer", info);
     }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
@@ -161,7 +161,7 @@ struct Reader<T>::Impl : dds::DataReaderListener {
         auto told = dds::StatusMask::data_available() << dds::StatusMask::requested_incompatible_qos();
         if (on_gone) told << dds::StatusMask::subscription_matched();
         reader = participant->subscriber->create_datareader(participant->topic(info, type), qos, this, told);
-        if (reader == nullptr) throw std::runtime_error(std::string("DDS: no reader of topic ") + info.name);
+        if (reader == nullptr) throw participant->none_of("reader", info);
     }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
