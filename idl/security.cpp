@@ -1,9 +1,14 @@
 #include "idl/security.hpp"
 
+#include "idl/identity.hpp"
+
 #include <fastrtps/config.h> // HAVE_SECURITY
 
 #include <array>
 #include <fstream>
+#include <iostream>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -36,6 +41,17 @@ void check_private(const fs::path& key) {
     }
 }
 
+/// Tells once of each folder what of its identity ends soon. Programs print their results on stdout.
+void tell_of_endings(const fs::path& folder) {
+    static std::mutex mutex;
+    static std::set<fs::path> told;
+    const auto endings = look_at_identity(folder, std::chrono::system_clock::now());
+    const std::lock_guard lock(mutex);
+    if (!told.insert(folder).second) return;
+    for (const auto& ending : endings)
+        std::cerr << "warning: " + ending + "\n";
+}
+
 } // namespace
 
 void use_identity(const fs::path& folder, eprosima::fastdds::dds::DomainParticipantQos& qos) {
@@ -52,6 +68,10 @@ void use_identity(const fs::path& folder, eprosima::fastdds::dds::DomainParticip
         properties.emplace_back(name, "file://" + path.string());
     }
     check_private(folder / "key.pem");
+    tell_of_endings(folder);
+    // Identities of before have none.
+    if (const auto revoked = fs::absolute(folder / "crl.pem"); fs::exists(revoked))
+        properties.emplace_back("dds.sec.auth.builtin.PKI-DH.identity_crl", "file://" + revoked.string());
 }
 
 } // namespace windlass::wire
