@@ -2,7 +2,7 @@
 
 #include "rigs/server_process.hpp"
 #include "tests/recorder/folder.hpp"
-#include "tests/wire/run_program.hpp"
+#include "tests/wire/identities.hpp"
 
 #include "idl/fast_dds_2_9/abandoned_memory.hpp"
 #include "idl/fast_dds_2_9/ports.hpp"
@@ -29,21 +29,10 @@ using testing::Not;
 namespace fs = std::filesystem;
 
 /// Identities, made once for all tests of a process.
-class Authority {
-public:
-    Authority() { EXPECT_EQ(make("").code, 0); }
-    Ending make(const std::string& more) const {
-        return run(WINDLASS_SECURITY_DIR "/make_identities " + folder_.path().string() + " " + more);
-    }
-    std::string of(const std::string& name) const { return (folder_.path() / name).string(); }
-
-private:
-    Folder folder_;
-};
-
-const Authority& ours() {
-    static const Authority authority;
-    return authority;
+const Identities& ours() {
+    static const Identities identities;
+    EXPECT_TRUE(identities.made());
+    return identities;
 }
 
 /// A server with the identity of a server.
@@ -51,13 +40,17 @@ ServerProcess secure_server() {
     return ServerProcess({"--domain", std::to_string(own_domain()), "--security", ours().of("server")});
 }
 
-/// Runs the instructor's console with that identity, on our domain.
-Ending console(const std::string& identity, const std::string& command, const std::string& before = "") {
-    // Who may is waited for on a loaded machine too; who may not is given up after 5 s.
-    const bool may = identity == ours().of("instructor") || identity == ours().of("observer");
+/// Runs the instructor's console with that identity, on our domain. patient: for who may come in, who is
+/// waited for on a loaded machine too; who may not is given up after 5 s.
+Ending console(const std::string& identity, const std::string& command, const std::string& before,
+               bool patient) {
     return run(before + " timeout 60 " INSTRUCTOR_CONSOLE " --domain " + std::to_string(own_domain()) +
                (identity.empty() ? "" : " --security " + identity) +
-               (may ? " --timeout 25 " : " --timeout 5 ") + command);
+               (patient ? " --timeout 25 " : " --timeout 5 ") + command);
+}
+Ending console(const std::string& identity, const std::string& command, const std::string& before = "") {
+    const bool may = identity == ours().of("instructor") || identity == ours().of("observer");
+    return console(identity, command, before, may);
 }
 
 /// What the server says it is, asked by an instructor.
@@ -185,7 +178,7 @@ TEST(Security, NobodyWithoutAnIdentityOrWithAForeignOneHearsAnything) {
     ASSERT_EQ(console(ours().of("observer"), "status").code, 0) << server.text();
     constexpr int kNoServer = 4;
     EXPECT_EQ(console("", "status").code, kNoServer);
-    const Authority foreign;
+    const Identities foreign;
     EXPECT_EQ(console(foreign.of("instructor"), "status").code, kNoServer);
     EXPECT_EQ(console(foreign.of("instructor"), "status", kSkip).code, kNoServer);
 }
@@ -227,12 +220,15 @@ TEST(Security, PermissionsThatATraineeSignsItselfAreRefusedByTheServer) {
     // authorities.
     const Folder folder;
     const auto identity = (folder.path() / "forged").string();
-    const auto instructor = content(ours().of("instructor") + "/permissions.smime");
-    auto wanted = instructor.substr(instructor.find("<?xml"));
-    wanted.resize(wanted.find("</dds>") + 7);
-    for (const char* role : {"CN=instructor", "name=\"instructor"})
-        wanted.replace(wanted.find(role), std::string(role).size(),
-                       std::string(role).replace(std::string(role).find("instructor"), 10, "trainee"));
+    const auto between = [](const std::string& text, const std::string& first, const std::string& last) {
+        const auto at = text.find(first);
+        return text.substr(at, text.find(last, at) - at);
+    };
+    // Those of an instructor, with the trainee's name and subject.
+    const auto papers = [](const char* role) { return content(ours().of(role) + "/permissions.smime"); };
+    auto wanted = between(papers("instructor"), "<?xml", "</dds>") + "</dds>\n";
+    const auto theirs = between(wanted, "<grant", "<validity>");
+    wanted.replace(wanted.find(theirs), theirs.size(), between(papers("trainee"), "<grant", "<validity>"));
     const auto sign_as = [&](const std::string& signer, const std::string& key, const std::string& voucher) {
         return run("cd " + identity + " && cat " + voucher +
                    " >> permissions_ca.pem && openssl smime -sign -text -in wanted.xml -out "
@@ -251,7 +247,8 @@ TEST(Security, PermissionsThatATraineeSignsItselfAreRefusedByTheServer) {
     begin();
     ASSERT_EQ(sign_as("identity.pem", "key.pem", "identity_ca.pem"), 0);
     auto ending = console(identity, kFault);
-    EXPECT_EQ(ending.code, kNoServer) << ending.text;
+    EXPECT_EQ(ending.code, 1) << "a certificate of an identity is not for signing papers (extendedKeyUsage)";
+    EXPECT_THAT(ending.text, HasSubstr("no secure participant can be created"));
 
     begin();
     ASSERT_EQ(run("cd " + identity +
@@ -264,6 +261,89 @@ TEST(Security, PermissionsThatATraineeSignsItselfAreRefusedByTheServer) {
     ending = console(identity, kFault);
     EXPECT_EQ(ending.code, kNoServer) << ending.text;
     EXPECT_THAT(status(), HasSubstr("\"faults\":[]")) << server.text();
+}
+
+TEST(Security, IdentityOfOneExerciseIsRefusedInEveryOther) {
+    ASSERT_EQ(ours().make("trainee seat-3 --exercise bay-3").code, 0);
+    EXPECT_EQ(hears("seat-3", "exercise/bay-3"), hears("trainee", "exercise/default"));
+    EXPECT_EQ(hears("seat-3", "exercise/replay-bay-3"), every_topic());
+    EXPECT_EQ(hears("seat-3", "exercise/replay-bay-3-1795797600"), every_topic()) << "as a page names it";
+    for (const char* other : {"exercise/default", "exercise/bay-30", "exercise/*", "exercise/replay",
+                              "exercise/replay-bay-30", "exercise/replay-monday"})
+        EXPECT_EQ(hears("seat-3", other), Names{}) << other;
+
+    ASSERT_EQ(ours().make("instructor desk-3 --exercise bay-3").code, 0);
+    const std::string domain = std::to_string(own_domain());
+    auto server = ServerProcess({"--domain", domain, "--security", ours().of("server"), "--partition",
+                                 "bay-3", "--partition", "bay-4"});
+    const auto fault = [&](const std::string& partition, const std::string& before) {
+        return run(before + " timeout 60 " INSTRUCTOR_CONSOLE " --domain " + domain + " --partition " +
+                   partition + " --security " + ours().of("desk-3") + " --timeout " +
+                   (partition == "bay-3" ? "25 " : "5 ") + kFault);
+    };
+    EXPECT_EQ(fault("bay-3", "").code, 0) << server.text();
+    EXPECT_EQ(fault("bay-3", kSkip).code, 0) << "the way in itself is open";
+    EXPECT_THAT(fault("bay-4", "").text, HasSubstr("in partition exercise/bay-4: the permissions in"));
+    constexpr int kNoServer = 4;
+    EXPECT_EQ(fault("bay-4", kSkip).code, kNoServer) << "the server refuses it too";
+}
+
+TEST(Security, RevokedIdentityIsRefusedByWhoeverStartsAfterwards) {
+    const Folder folder;
+    const auto lost = (folder / "lost").string();
+    ASSERT_EQ(ours().make("instructor desk-1").code, 0);
+    fs::copy(ours().of("desk-1"), lost);
+    // Renewed since: the certificate of before is revoked as well.
+    ASSERT_EQ(ours().make("desk-1", "renew").code, 0);
+    const auto renewed = (folder / "renewed").string();
+    fs::copy(ours().of("desk-1"), renewed);
+    constexpr int kNoServer = 4;
+    {
+        auto server = secure_server();
+        EXPECT_EQ(console(lost, "status", "", true).code, 0) << server.text();
+        EXPECT_EQ(console(renewed, "status", "", true).code, 0) << server.text();
+        ASSERT_EQ(ours().make("desk-1", "revoke").code, 0);
+        EXPECT_EQ(console(lost, "status", "", true).code, 0) << "this server has the list of before";
+    }
+    auto server = secure_server();
+    EXPECT_EQ(console(lost, kFault).code, kNoServer);
+    EXPECT_EQ(console(renewed, kFault).code, kNoServer);
+    EXPECT_EQ(console(renewed, kFault, kSkip).code, kNoServer);
+    EXPECT_THAT(status(), HasSubstr("\"faults\":[]")) << server.text();
+    // Where the list has come to its own machine it is told.
+    fs::copy_file(ours().of("server/crl.pem"), lost + "/crl.pem", fs::copy_options::overwrite_existing);
+    const auto told = console(lost, "status");
+    EXPECT_EQ(told.code, 1);
+    EXPECT_THAT(told.text, HasSubstr("lost/identity.pem was revoked on "));
+    // Another of that name is another identity, and the papers of the last do not fit it.
+    ASSERT_EQ(ours().make("observer desk-1").code, 0);
+    EXPECT_EQ(console(ours().of("desk-1"), "status", "", true).code, 0) << server.text();
+    put(ours().of("desk-1/permissions.smime"), content(renewed + "/permissions.smime"));
+    EXPECT_THAT(console(ours().of("desk-1"), "status").text,
+                HasSubstr("no secure participant can be created"));
+}
+
+TEST(Security, IdentityThatEndsIsToldOfAMonthBeforeAndRefusedAfterwards) {
+    auto server = secure_server();
+    ASSERT_EQ(ours().make("observer soon --days 20").code, 0);
+    const auto warned = console(ours().of("soon"), "--json status", "", true);
+    EXPECT_EQ(warned.code, 0) << warned.text << server.text();
+    EXPECT_THAT(warned.text, HasSubstr("warning: security: " + ours().of("soon") + "/identity.pem ends on "));
+    EXPECT_THAT(warned.text, HasSubstr("make_identities renew FOLDER soon\n"));
+    EXPECT_THAT(warned.output, Not(HasSubstr("warning"))) << "results are for other programs";
+    EXPECT_THAT(console(ours().of("observer"), "status").text, Not(HasSubstr("warning")));
+
+    // A certificate of yesterday, from the same authority.
+    ASSERT_EQ(run("cd " + ours().of("soon") +
+                  " && openssl req -new -key key.pem -subj /CN=soon | openssl x509 -req "
+                  "-days -1 -CA identity_ca.pem -CAkey " +
+                  (ours().authorities() / "identity.key").string() + " -set_serial 77 -out identity.pem")
+                  .code,
+              0);
+    const auto ended = console(ours().of("soon"), "status");
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_THAT(ended.text, HasSubstr("soon/identity.pem ended on "));
+    EXPECT_THAT(ended.text, HasSubstr("make_identities renew FOLDER soon\n"));
 }
 
 TEST(Security, IncompleteOrOpenIdentityIsToldByFile) {
@@ -308,32 +388,6 @@ TEST(Security, SecureExerciseIsRecordedAndReplayed) {
     EXPECT_THAT(console(ours().of("observer"), "--partition replay --json status").text,
                 HasSubstr("RUN_REPLAY"))
         << replay.text();
-}
-
-TEST(Identities, FolderIsPrivateAndWhatIsThereStays) {
-    const Authority authority;
-    const auto key = [&] { return run("cat " + authority.of("trainee/key.pem")).text; };
-    const auto before = key();
-    EXPECT_EQ(fs::status(authority.of("")).permissions(), fs::perms::owner_all);
-    EXPECT_EQ(fs::status(authority.of("ca/permissions.key")).permissions(),
-              fs::perms::owner_read | fs::perms::owner_write);
-    EXPECT_EQ(authority.make("").code, 0);
-    EXPECT_EQ(key(), before);
-    EXPECT_EQ(authority.make("trainee trainee-2").code, 0);
-    EXPECT_TRUE(fs::exists(authority.of("trainee-2/permissions.smime")));
-    EXPECT_EQ(authority.make("trainee trainee-2").code, 1);
-    // Permissions from before roles.txt was changed are signed anew, for the same key.
-    for (const std::string name : {"trainee", "trainee-2"}) {
-        const fs::path papers = authority.of(name + "/permissions.smime");
-        put(papers, "of last year");
-        fs::last_write_time(papers, fs::file_time_type::clock::now() - std::chrono::hours(24 * 365));
-        EXPECT_EQ(authority.make("").code, 0);
-        EXPECT_THAT(content(papers), HasSubstr("<subject_name>CN=" + name + ",O=Windlass"));
-        EXPECT_THAT(content(papers), HasSubstr("<topic>WindlassCommand</topic>"));
-    }
-    EXPECT_EQ(key(), before);
-    EXPECT_EQ(authority.make("captain x").code, 2);
-    EXPECT_EQ(authority.make("trainee ../x").code, 2);
 }
 
 /// Locks that this process has in shared memory.
