@@ -255,7 +255,9 @@ TEST(Identities, RevocationIsOneCommandAndReachesEveryFolder) {
     put(copy / "crl.pem", list);
     EXPECT_THAT(error_of(copy, kToday), HasSubstr("copy/identity.pem was revoked on 20"));
     EXPECT_THAT(all.make("seat-3", "revoke").text, HasSubstr("there is no identity seat-3"));
-    EXPECT_EQ(all.make("", "revoke").code, 2);
+    EXPECT_THAT(all.make("s.rver", "revoke").text, HasSubstr("there is no identity s.rver"));
+    for (const char* bad : {"", "../copy", "ca", "'a b'"})
+        EXPECT_EQ(all.make(bad, "revoke").code, 2) << bad;
     // Another of that name has its own certificate.
     ASSERT_EQ(all.make("trainee seat-3").code, 0);
     EXPECT_THAT(wire::look_at_identity(all.of("seat-3"), kToday), IsEmpty());
