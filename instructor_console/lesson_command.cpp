@@ -185,7 +185,7 @@ struct ByChance {
     }
 };
 
-/// The same hands with other luck: other draws, gusts and waves, a millimetre more water each time.
+/// The same hands with other luck each time: lesson::luck.
 ByChance play_again(const LessonFile& file, const assess::LessonRun& run,
                     const std::vector<trainee::Script>& scripts, const lesson::Played& first,
                     unsigned attempts) {
@@ -368,7 +368,8 @@ void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& 
                           "with the lesson's hints, as it is played for practice");
     };
     add_practice(sub);
-    add_seed(sub, "of what the attempt leaves to chance, with as many millimetres of water and other gusts");
+    add_seed(sub, "of what the attempt leaves to chance, with as many millimetres of water, other gusts, and "
+                  "hands up to 1.5 s later");
     sub = add("try", "play model run and typical errors, and say whether they show what the lesson says",
               attempt);
     sub->add_option("file", options->files, "exercise files; default: every lesson of the folder");

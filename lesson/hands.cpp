@@ -215,10 +215,7 @@ Script slams(Script script) {
 }
 
 Script patient(Script script) {
-    constexpr double kMore = 3; // s
-    for (Step& step : script.steps)
-        if (step.when.ordered || step.when.order) step.when.after = step.when.after.value_or(0) + kMore;
-    return script;
+    return later(std::move(script), 3);
 }
 
 bool same(const Script& a, const Script& b) {

@@ -57,7 +57,14 @@ exercise::EnvironmentOrder another_sea(const exercise::Snapshot& seen, double mo
 }
 
 Luck luck(unsigned k) {
-    return {.seed = 1 + k, .more_water = kMillimetre * k, .other_waves = k};
+    constexpr double kLater = 0.5; // s: no captain could tell four such hands apart
+    return {.seed = 1 + k, .more_water = kMillimetre * k, .other_waves = k, .later = kLater * (k % 4)};
+}
+
+trainee::Script later(trainee::Script script, double seconds) {
+    for (trainee::Step& step : script.steps)
+        if (step.when.ordered || step.when.order) step.when.after = step.when.after.value_or(0) + seconds;
+    return script;
 }
 
 Played play(const exercise::ExerciseDef& def, const std::vector<trainee::Script>& scripts,
@@ -76,8 +83,11 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
     options.seed = luck.seed;
     run::Session session(def, std::move(options));
     std::vector<Seat> seats;
-    for (std::size_t k = 0; k < parts.size(); ++k)
-        seats.emplace_back(parts[k], def, "trainee-" + std::to_string(k + 1));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        Part part = parts[k];
+        if (luck.later > 0) part.script = later(std::move(part.script), luck.later);
+        seats.emplace_back(std::move(part), def, "trainee-" + std::to_string(k + 1));
+    }
 
     Played played;
     const auto tell = [&](const std::string& who, const std::string& text) {

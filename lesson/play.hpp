@@ -43,10 +43,14 @@ struct Luck {
     std::uint64_t seed = 1;   ///< of what the attempt leaves to chance; the same draws the same
     double more_water = 0;    ///< m
     unsigned other_waves = 0; ///< by which the seed of gusts and waves is another
+    double later = 0;         ///< s by which hands begin later with each order
 };
-/// The k-th of some that nobody on board could tell from the first: other draws, gusts and waves, and k mm
-/// more water.
+/// The k-th of some that nobody on board could tell from the first: other draws, gusts and waves, k mm more
+/// water, and hands that begin with each order up to a second and a half later.
 Luck luck(unsigned k);
+
+/// A hand that begins with each order some seconds later.
+trainee::Script later(trainee::Script script, double seconds);
 
 /// How it went.
 struct Played {
