@@ -56,6 +56,7 @@ void DoorHost::ask(const std::string& target, const Who& who, const Reply& reply
         return slow_.add<json>(
             options_.lessons, [](const json& list) { return answer(list); }, reply);
     if (path == "/door/marks.csv") return reply(marks(value_in(target, "class")));
+    if (path == "/door/next" && options_.next) return next(value_in(target, "class"), reply);
     if (path == "/door/debriefing") return debrief(value_in(target, "recording"), reply);
     reply(refused(404, "nobody answers that here"));
 }
@@ -67,6 +68,24 @@ Verdict DoorHost::marks(const std::string& id) const {
             .type = "text/csv; charset=utf-8",
             .body = marks_csv(*its_class),
             .headers = {{"Content-Disposition", "attachment; filename=\"" + id + ".csv\""}}};
+}
+
+/// Of who sat in a class that is over. Waits, and says so, until all their attempts are in the history.
+void DoorHost::next(const std::string& id, const Reply& reply) {
+    const auto* its_class = book_.find(id);
+    if (its_class == nullptr || !its_class->over) return reply(refused(404, "no class of that name is over"));
+    const bool waits = std::ranges::any_of(its_class->results, [](const auto& one) {
+        return !one.second.recording.empty() && !one.second.in_history;
+    });
+    if (waits) return reply(answer({{"waits", true}, {"next", json::array()}}));
+    std::vector<std::string> names;
+    for (const Trainee& each : its_class->trainees)
+        names.push_back(each.name);
+    slow_.add<json>([ask = options_.next, names] { return ask(names); },
+                    [](const json& list) {
+                        return answer({{"waits", false}, {"next", list}});
+                    },
+                    reply);
 }
 
 /// Of a recording that a class has made, and no other.

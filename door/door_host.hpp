@@ -36,6 +36,9 @@ struct DoorOptions {
     std::function<std::string(const std::string& recording)> debriefing;
     /// Puts an attempt into the history, or brings it up to date there. The same.
     std::function<void(const AttemptMade& made)> put_in_history;
+    /// What each of these trainees is to practise next, by the history: their names in, [{name, file, title,
+    /// why, practice}] out; who is in no history has no row. The same.
+    std::function<nlohmann::json(const std::vector<std::string>& names)> next = {};
     /// Who may start lessons here; none: nobody does, and nothing goes out.
     cmi5::LearningSystems learning_systems = {};
     cmi5::WebClient web = cmi5::WebClient(); ///< asks them
@@ -127,6 +130,7 @@ private:
     gateway::Verdict log_out(const Who& who);
     gateway::Verdict lead(const Who& who, const Json& asked);
     gateway::Verdict marks(const std::string& id) const;
+    void next(const std::string& id, const Reply& reply);
     void debrief(const std::string& recording, const Reply& reply);
     void let_in(const Who& who, const Json& asked, const Reply& reply);
     void log_out_all(const std::string& name);

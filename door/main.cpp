@@ -20,6 +20,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <set>
 #include <thread>
 
@@ -155,19 +156,48 @@ void add_options(CLI::App& app, Options& options) {
         "Exit codes: 0 stopped by a signal, 1 it cannot serve, and the text says why, 2 bad option.");
 }
 
-/// Who sat there goes by the name that they gave, which has no comma and no @ there.
+/// By which somebody is known in the history: the name that they gave, which has no comma and no @ there.
+std::string pseudonym_of(std::string name) {
+    std::ranges::replace_if(
+        name, [](char c) { return c == ',' || c == '@'; }, ' ');
+    return name;
+}
+
+/// Files of lessons, as a class is opened with them, by the lessons' ids.
+std::map<std::string, std::string> files_of_lessons(const nlohmann::json& list) {
+    std::map<std::string, std::string> files;
+    for (const auto& file : list.at("files"))
+        if (file.at("lesson").is_string()) files.emplace(file.at("lesson"), file.at("name"));
+    return files;
+}
+
+/// What each is to practise next; "file" is the lesson's, as a class is opened with it.
+nlohmann::json next_of(const Options& options, const std::map<std::string, std::string>& files,
+                       const std::vector<std::string>& names) {
+    history::History history(options.history);
+    const std::vector<history::Offered> offered = console::offered_lessons(options.exercises);
+    nlohmann::json all = nlohmann::json::array();
+    for (const std::string& name : names)
+        try {
+            if (const auto next = history.next(pseudonym_of(name), offered))
+                all.push_back({{"name", name},
+                               {"file", files.at(next->lesson.id)},
+                               {"title", next->lesson.title},
+                               {"why", next->why},
+                               {"practice", next->practice}});
+        } catch (const std::invalid_argument&) { // he is in no history: his seat was not recorded
+        }
+    return all;
+}
+
 void put_in_history(const Options& options, const door::AttemptMade& made) {
     recording::Recording recording({options.recordings / made.recording});
     std::vector<history::Seated> seats;
-    for (const door::Trainee& each : made.seats) {
-        std::string known = each.name;
-        std::ranges::replace_if(
-            known, [](char c) { return c == ',' || c == '@'; }, ' ');
-        seats.push_back({.pseudonym = known,
+    for (const door::Trainee& each : made.seats)
+        seats.push_back({.pseudonym = pseudonym_of(each.name),
                          .name = each.name,
                          .group = made.class_id,
                          .seat = door::name_of(each.place)});
-    }
     const bool replace = true; // a seat that was another's before the last word of the class
     history::History(options.history)
         .add(debrief::read_attempt(recording), seats, options.recordings / made.recording, replace);
@@ -319,19 +349,23 @@ int run(Options options) {
     };
     const auto exercise_files = instructor.exercise_files;
     const auto debrief_of = instructor.debrief_of;
+    const auto lessons = [exercise_files] {
+        return exercise_files({{"what", "list"}, {"name", ""}, {"text", ""}, {"over", ""}});
+    };
     door::Stations stations(std::move(instructor));
     door::DoorHost host(
         {.state = options.state,
          .exercise = options.session.partition,
          .names = names,
          .certificate = certificate,
-         .lessons =
-             [exercise_files] {
-                 return exercise_files({{"what", "list"}, {"name", ""}, {"text", ""}, {"over", ""}});
-             },
+         .lessons = lessons,
          .debriefing = [debrief_of, recordings = options.recordings](
                            const std::string& recording) { return debrief_of(recordings / recording); },
          .put_in_history = [options](const door::AttemptMade& made) { put_in_history(options, made); },
+         .next =
+             [options, lessons](const std::vector<std::string>& names) {
+                 return next_of(options, files_of_lessons(lessons()), names);
+             },
          .learning_systems = cmi5::LearningSystems(options.learning_systems),
          .web = cmi5::WebClient(options.learning_authority),
          .marks_of = [recordings = options.recordings](

@@ -154,7 +154,7 @@ std::vector<history::Offered> offered_lessons(const fs::path& folder) {
     std::vector<history::Offered> all;
     for (const fs::path& path : lesson_files(folder)) {
         const LessonFile file = read_lesson_file(path);
-        all.push_back({file.lesson.id, file.lesson.title});
+        all.push_back({file.lesson.id, file.lesson.title, file.def.name});
     }
     std::ranges::stable_partition(all,
                                   [](const history::Offered& each) { return !each.id.starts_with('A'); });

@@ -97,14 +97,16 @@ void tell_next(History& history, const HistoryOptions& options, bool as_json,
                const std::vector<Offered>& offered) {
     const auto next = history.next(options.trainee, offered);
     if (!next) return tell(as_json, "all lessons are achieved", {{"lesson", nullptr}});
-    std::string text = fmt::format("{} {}\n{}", next->lesson.id, next->lesson.title, next->why);
+    std::string text = fmt::format("{} {}{}\n{}", next->lesson.id, next->lesson.title,
+                                   next->practice ? ", for practice" : "", next->why);
     if (!next->recording.empty())
         text += fmt::format("\nwhat would have kept each point: recorder whatif {}", next->recording);
     tell(as_json, text,
          {{"lesson", next->lesson.id},
           {"title", next->lesson.title},
           {"why", next->why},
-          {"recording", next->recording}});
+          {"recording", next->recording},
+          {"practice", next->practice}});
 }
 
 void write_csv(History& history, const HistoryOptions& options) {

@@ -15,10 +15,9 @@ using nlohmann::json;
 
 /// One attempt of his.
 struct Done {
-    std::string attempt, outcome, recording;
-    json lesson; ///< as the server had it; an object without members where none was kept
+    std::string attempt, outcome, recording, exercise;
+    json lesson; ///< of its file; an object without members where none was attached to the recording
     bool practice;
-    std::string id() const { return lesson.value("id", ""); }
 };
 
 std::vector<Done> done_by(Database& database, const std::string& pseudonym) {
@@ -26,17 +25,18 @@ std::vector<Done> done_by(Database& database, const std::string& pseudonym) {
         throw std::invalid_argument(fmt::format("\"{}\": there is no trainee of that pseudonym", pseudonym));
     std::vector<Done> all;
     for (const Row& row : database.run(
-             "SELECT attempt.id, coalesce(outcome_final, outcome), recording, lesson.json, practice FROM "
+             "SELECT attempt.id, coalesce(outcome_final, outcome), recording, lesson.name, "
+             "lesson.json, practice FROM "
              "attempt "
              "JOIN lesson ON lesson.hash = lesson_hash WHERE EXISTS(SELECT 1 FROM seat JOIN trainee ON "
              "trainee.id = seat.trainee WHERE seat.attempt = attempt.id AND pseudonym = ?) ORDER BY "
              "began_at, "
              "attempt.id",
              {pseudonym})) {
-        json lesson = json::parse(text_of(row[3]), nullptr, false);
-        if (!lesson.is_object()) lesson = json::object();
-        all.push_back(
-            {text_of(row[0]), text_of(row[1]), text_of(row[2]), std::move(lesson), integer_of(row[4]) == 1});
+        const json file = json::parse(text_of(row[4]), nullptr, false);
+        json lesson = file.is_object() ? file.value("lesson", json::object()) : json::object();
+        all.push_back({text_of(row[0]), text_of(row[1]), text_of(row[2]), text_of(row[3]), std::move(lesson),
+                       integer_of(row[5]) == 1});
     }
     return all;
 }
@@ -68,19 +68,20 @@ std::optional<NextLesson> next_lesson(Database& database, const std::string& pse
     const std::vector<Done> all = done_by(database, pseudonym);
     std::set<std::string> achieved, tried;
     for (const Done& each : all) {
-        tried.insert(each.id());
-        if (!each.practice && each.outcome == "achieved") achieved.insert(each.id());
+        tried.insert(each.exercise);
+        if (!each.practice && each.outcome == "achieved") achieved.insert(each.exercise);
     }
-    const auto open = [&](const Offered& lesson) { return !achieved.contains(lesson.id); };
+    const auto open = [&](const Offered& lesson) { return !achieved.contains(lesson.exercise); };
     if (!all.empty()) {
         const Done& last = all.back();
-        const auto again = std::ranges::find(offered, last.id(), &Offered::id);
+        const auto again = std::ranges::find(offered, last.exercise, &Offered::exercise);
         if (again != offered.end() && open(*again))
-            return {{*again, why_again(database, last), last.recording}};
+            return {{*again, why_again(database, last), last.recording, last.outcome != "achieved"}};
     }
     const auto first = std::ranges::find_if(offered, open);
     if (first == offered.end()) return std::nullopt;
-    return {{*first, tried.contains(first->id) ? "tried before, and not achieved" : "not done yet", ""}};
+    return {{*first, tried.contains(first->exercise) ? "tried before, and not achieved" : "not done yet", "",
+             false}};
 }
 
 } // namespace windlass::history

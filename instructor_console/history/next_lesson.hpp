@@ -12,12 +12,14 @@ namespace windlass::history {
 /// A lesson that a centre offers.
 struct Offered {
     std::string id, title; ///< id: as in its file, "L01"
+    std::string exercise;  ///< by which recordings know it: the exercise's name, "L01-let-go-25m"
 };
 
 struct NextLesson {
     Offered lesson;
     std::string why;       ///< in words
     std::string recording; ///< of the attempt that it follows from; empty: of none
+    bool practice = false; ///< for practice, with hints, before it is a test again: he missed it
 };
 
 /// The lesson that he did last, as long as he has not achieved it in a test; else the first one offered, in

@@ -211,6 +211,9 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await owner.keyboard.up("Enter");
   await eventually("marked", async () => /points, not/.test(await row.locator(".marks").textContent()));
   await owner.setViewportSize({ width: 1280, height: 800 });
+  await eventually("what she is to practise next", async () =>
+    /for practice.*not (yet|shown)/.test(await row.locator(".next").textContent()),
+  );
   await look(owner, "class_over");
   await passesAxe(owner);
   const link = row.getByRole("link", { name: "Debriefing" });
@@ -218,6 +221,15 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await eventually("it is talked over", async () =>
     (await debriefing.locator("main").textContent()).includes("Let go the port anchor"),
   );
+  const [together] = await owner.locator("button", { hasText: /^Class of/ }).all();
+  await together.click();
+  await eventually("a class for those who do the same", async () =>
+    (await owner.locator("form").textContent()).includes("carla"),
+  );
+  const form = owner.locator("form");
+  assert.ok(await form.getByLabel("for practice, with hints").isChecked());
+  assert.equal(await form.locator("select").first().inputValue(), "L01_let_go_25m");
+  await look(owner, "class_next");
   await tablet.locator("input[name=code]").waitFor();
   for (const page of [owner, tablet, phone]) hadNoProblems(page);
 });

@@ -57,6 +57,16 @@ TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver)
         {INSTRUCTOR_CONSOLE, "history", "--file", (folder_ / "recordings/history.sqlite").string(), "list"}};
     EXPECT_EQ(history.exit_code(), 0);
     EXPECT_THAT(history.text(), HasSubstr("ben (ship)"));
+    // And what he is to practise next, by that.
+    const auto next = owner().get("/door/next?class=mon").json();
+    EXPECT_EQ(next["waits"], false);
+    ASSERT_EQ(next["next"].size(), 1U) << next;
+    EXPECT_EQ(next["next"][0]["name"], "ben");
+    EXPECT_EQ(next["next"][0]["file"], "L01_let_go_25m");
+    EXPECT_EQ(next["next"][0]["practice"], true) << "he has not achieved it";
+    EXPECT_THAT(next["next"][0]["why"].get<std::string>(), HasSubstr("not shown: "));
+    EXPECT_EQ(owner().get("/door/next?class=tue").status, 404);
+    EXPECT_NE(ben.get("/door/next?class=mon").status, 200) << "his is the instructor's to tell";
     for (const std::string other : {"", "../door", "none", "/etc"})
         EXPECT_EQ(owner().get("/door/debriefing?recording=" + other).status, 404) << other;
     EXPECT_EQ(owner().get("/door/marks.csv?class=tue").status, 404);

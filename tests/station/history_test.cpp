@@ -43,16 +43,17 @@ protected:
 };
 
 TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatIsNot) {
-    const std::vector<Offered> offered{{"L01", "Let go"}, {"L02", "Lower"}, {"L03", "Walk back"}};
+    const std::vector<Offered> offered{
+        {"L01", "Let go", "let-go"}, {"L02", "Lower", "lower"}, {"L03", "Walk back", "walk-back"}};
     History history(file());
     int day = 0;
-    const auto done = [&](const char* lesson, const char* outcome, bool practice = false) {
+    const auto done = [&](const char* exercise, const char* outcome, bool practice = false) {
         test::DebriefedRun run;
         run.run = ++day;
         auto of = attempt(fmt::format("day {}", day).c_str(), run);
         of.origin.began_unix_ns += day * 86'400'000'000'000;
-        of.lesson.json = fmt::format(
-            R"({{"id": "{}", "objectives": [{{"id": "run", "text": "Holds the fall"}}]}})", lesson);
+        of.lesson.json = R"({"lesson": {"objectives": [{"id": "run", "text": "Holds the fall"}]}})";
+        of.exercise = exercise;
         of.assessment->lesson_hash(static_cast<std::uint64_t>(day));
         of.assessment->outcome(outcome);
         of.assessment->practice(practice);
@@ -60,20 +61,22 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
     };
     const auto next = [&] { return history.next("t1", offered); };
     EXPECT_THROW(next(), std::invalid_argument) << "nobody of that name";
-    done("L02", "not_yet");
+    done("lower", "not_yet");
     EXPECT_EQ(next()->lesson.id, "L02");
     EXPECT_THAT(next()->why, HasSubstr("not yet: Holds the fall"));
     EXPECT_THAT(next()->recording, HasSubstr("day 1"));
-    done("L02", "achieved", true);
+    EXPECT_TRUE(next()->practice) << "he missed it";
+    done("lower", "achieved", true);
     EXPECT_EQ(next()->lesson.id, "L02") << "practice is no test";
     EXPECT_THAT(next()->why, HasSubstr("without hints"));
-    done("L02", "achieved");
+    EXPECT_FALSE(next()->practice);
+    done("lower", "achieved");
     EXPECT_EQ(next()->lesson.id, "L01");
     EXPECT_EQ(next()->why, "not done yet");
-    done("L01", "achieved");
-    done("L02", "not_yet"); // once achieved, it is
+    done("let-go", "achieved");
+    done("lower", "not_yet"); // once achieved, it is
     EXPECT_EQ(next()->lesson.id, "L03");
-    done("L03", "achieved");
+    done("walk-back", "achieved");
     EXPECT_FALSE(next());
 }
 

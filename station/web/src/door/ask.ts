@@ -48,6 +48,22 @@ export interface Launch {
   languages?: string;
 }
 
+/** What somebody is to practise next, by the history. */
+export interface Next {
+  name: string;
+  /** A class is opened with it. */
+  file: string;
+  title: string;
+  why: string;
+  practice: boolean;
+}
+
+/** Of who sat in a class that is over; waits: attempts are not in the history yet. */
+export interface NextOfClass {
+  waits: boolean;
+  next: Next[];
+}
+
 export type PlaceName = "ship" | "forecastle" | "bridge" | "watch";
 export const placeWords: Readonly<Record<PlaceName, string>> = {
   ship: t("ship|seat"),

@@ -2,7 +2,7 @@
 
 import { outcomeSaid } from "../kit/words";
 import { h } from "../kit/dom";
-import { type ClassExercise, type TrainingClass, placeWords } from "./ask";
+import { type ClassExercise, type Next, type NextOfClass, type TrainingClass, ask, placeWords } from "./ask";
 import { t } from "../kit/language";
 
 /** In words: points, and what they mean once the lesson is over. */
@@ -16,8 +16,67 @@ export function marksOf({ points, outcome }: ClassExercise): string {
   });
 }
 
-/** A class that is over. */
-export function classMarks(it: TrainingClass): HTMLElement {
+const kLook = 2000; // ms
+
+/** "Let go in 25 m, for practice", and why. */
+function nextWords({ title, why, practice }: Next): Node[] {
+  return [
+    h("span", { lang: "en" }, title),
+    ...(practice ? [`, ${t("for practice")}`] : []),
+    h("span", { class: "quiet", lang: "en" }, why),
+  ];
+}
+
+/** Those who are to do the same next, in the order of their lessons. */
+export function together(all: Next[]): Next[][] {
+  const groups = new Map<string, Next[]>();
+  for (const one of all) {
+    const key = `${one.file} ${one.practice}`;
+    groups.set(key, [...(groups.get(key) ?? []), one]);
+  }
+  return [...groups].sort(([a], [b]) => a.localeCompare(b)).map(([, group]) => group);
+}
+
+/** Fills the cells by name, and the list of classes that would do, once the history has the class. */
+async function fillNext(id: string, cells: Map<string, HTMLElement>, list: HTMLElement, open: Open): Promise<void> {
+  const shown = (): boolean => [...cells.values()].some((cell) => cell.isConnected);
+  for (;;) {
+    // oxlint-disable-next-line no-await-in-loop -- one look after the other
+    const { waits, next } = await ask<NextOfClass>(`next?class=${id}`);
+    if (!waits) {
+      for (const one of next) cells.get(one.name)?.replaceChildren(...nextWords(one));
+      list.replaceChildren(
+        ...together(next).map((group) =>
+          h(
+            "button",
+            { onclick: () => open(group) },
+            t("Class of {count}: {title}", {
+              count: group.length,
+              title: group[0]!.practice ? `${group[0]!.title}, ${t("for practice")}` : group[0]!.title,
+            }),
+          ),
+        ),
+      );
+      return;
+    }
+    // oxlint-disable-next-line no-await-in-loop
+    await new Promise((then) => setTimeout(then, kLook));
+    if (!shown()) return;
+  }
+}
+
+/** Begins a class of those who are to do the same next. */
+export type Open = (group: Next[]) => void;
+
+/** A class that is over. open: nothing, for who may open none. */
+export function classMarks(it: TrainingClass, open?: Open): HTMLElement {
+  const cells = new Map<string, HTMLElement>();
+  const list = h("p", { class: "row next" });
+  const nextOf = (name: string): HTMLElement => {
+    const cell = h("td", { class: "next" });
+    cells.set(name, cell);
+    return cell;
+  };
   const rows = it.exercises.flatMap((each) =>
     each.seats
       .filter(({ name }) => name !== null)
@@ -35,11 +94,13 @@ export function classMarks(it: TrainingClass): HTMLElement {
               ? h("a", { href: `/door/debriefing?recording=${each.recording}`, target: "_blank" }, t("Debriefing"))
               : t("not recorded"),
           ),
+          nextOf(name ?? ""),
         ),
       ),
   );
   if (rows.length === 0) return h("p", { class: "quiet" }, t("Nobody sat in this class."));
-  const heads = [t("Trainee"), t("Seat"), t("Marks"), t("Talk it over")];
+  const heads = [t("Trainee"), t("Seat"), t("Marks"), t("Talk it over"), t("What next")];
+  void fillNext(it.id, cells, list, open ?? (() => {})).catch(() => {}); // the class stands without it, too
   return h(
     "section",
     { class: "panel class-marks" },
@@ -50,6 +111,7 @@ export function classMarks(it: TrainingClass): HTMLElement {
       h("thead", {}, h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)))),
       h("tbody", {}, ...rows),
     ),
+    open ? list : "",
     h("p", {}, h("a", { href: `/door/marks.csv?class=${it.id}`, download: `${it.id}.csv` }, t("As a table (CSV)"))),
   );
 }

@@ -5,11 +5,21 @@ import { holdButton } from "../kit/hold_button";
 import { runStateWords } from "../kit/run_state";
 import { clock } from "../kit/units";
 import { RunState } from "../wire/generated";
-import { type ClassExercise, type Classes, type Me, type Seat, type TrainingClass, act, ask, placeWords } from "./ask";
+import {
+  type ClassExercise,
+  type Classes,
+  type Me,
+  type Next,
+  type Seat,
+  type TrainingClass,
+  act,
+  ask,
+  placeWords,
+} from "./ask";
 import { classMarks, marksOf } from "./class_marks";
 import { frame } from "./frame";
 import { kiosks } from "./kiosks";
-import { newClass } from "./new_class";
+import { type NewClass, newClass } from "./new_class";
 import { qr } from "./qr";
 import { toAll } from "./to_all";
 import { t, translated } from "../kit/language";
@@ -34,7 +44,7 @@ class ClassPage {
   private readonly notice = h("p", { class: "notice", role: "status" });
   private readonly tabs = h("nav", { class: "tabs", "aria-label": t("classes") });
   private readonly body = h("div", { class: "class-body" });
-  private readonly form: HTMLElement;
+  private readonly newClass: NewClass;
   /** The owner's. */
   private readonly devices: HTMLElement | undefined;
   private readonly code = h("div", {});
@@ -55,7 +65,7 @@ class ClassPage {
     owns: boolean,
   ) {
     if (owns) this.devices = kiosks(() => address(this.known));
-    this.form = newClass((classes) => {
+    this.newClass = newClass((classes) => {
       this.chosen = classes.classes.at(-1)?.id;
       this.show(classes);
     });
@@ -116,12 +126,12 @@ class ClassPage {
     const it = this.known.classes.find(({ id }) => id === this.chosen);
     this.fill(this.body, it?.over ? it : [it?.id ?? this.chosen, it?.exercises.length], () => {
       if (this.chosen === kKiosks && this.devices) return [this.devices];
-      if (it?.over) return [classMarks(it)];
+      if (it?.over) return [classMarks(it, this.leads ? (group) => this.goOn(group) : undefined)];
       if (it) {
         this.made.clear();
         return [this.code, this.bar(it), this.exercises(it)];
       }
-      return [this.leads ? this.form : h("p", { class: "quiet" }, t("There is no class."))];
+      return [this.leads ? this.newClass.element : h("p", { class: "quiet" }, t("There is no class."))];
     });
     if (it && !it.over) {
       this.fill(this.code, [it.code, this.known.names, this.known.port], () => [this.door(it)]);
@@ -130,6 +140,13 @@ class ClassPage {
     }
     if (this.known.servers === 0) this.say(kNoServer);
     else if (this.notice.textContent === kNoServer) this.say("");
+  }
+
+  /** A new class of those who are to do the same next. */
+  private goOn(group: Next[]): void {
+    this.newClass.fill(group);
+    this.chosen = undefined;
+    this.draw();
   }
 
   private tabsNow(): Node[] {

@@ -1,7 +1,7 @@
 // A new class: of which lesson, how many exercises, how many to each.
 
-import { h } from "../kit/dom";
-import { type Classes, act, ask } from "./ask";
+import { h, setText } from "../kit/dom";
+import { type Classes, type Next, act, ask } from "./ask";
 import { field, form } from "./frame";
 import { namesOf } from "./names";
 import { t } from "../kit/language";
@@ -16,7 +16,13 @@ const crews: [number, string][] = [
   [3, t("three: and one who watches")],
 ];
 
-export function newClass(opened: (classes: Classes) => void): HTMLElement {
+export interface NewClass {
+  readonly element: HTMLElement;
+  /** Of these alone, with what they are to do next. */
+  fill(group: Next[]): void;
+}
+
+export function newClass(opened: (classes: Classes) => void): NewClass {
   const today = new Date().toLocaleDateString("en", { weekday: "short" }).toLowerCase();
   const name = h("input", { required: true, maxLength: 24, pattern: "[A-Za-z0-9][A-Za-z0-9\\-]*", value: today });
   const lesson = h("select", { required: true });
@@ -24,20 +30,34 @@ export function newClass(opened: (classes: Classes) => void): HTMLElement {
   const crew = h("select", {}, ...crews.map(([value, text]) => h("option", { value }, text)));
   const practice = h("input", { type: "checkbox" });
   const list = h("input", { type: "file", accept: ".csv,.txt,text/csv,text/plain" });
-  const names = async (): Promise<string[]> => namesOf((await list.files?.[0]?.text()) ?? "");
+  let fixed: string[] = []; // who goes on from another class
+  const whose = h("p", { class: "quiet" });
+  const names = async (): Promise<string[]> => {
+    const given = await list.files?.[0]?.text();
+    return given === undefined ? fixed : namesOf(given);
+  };
   const enough = async (): Promise<void> => {
     const seats = Math.ceil((await names()).length / Number(crew.value));
     if (seats > 0) count.value = `${Math.min(64, seats)}`;
   };
   list.onchange = crew.onchange = () => void enough();
-  void ask<Lessons>("lessons").then(({ files }) =>
+  const listed = ask<Lessons>("lessons").then(({ files }) =>
     lesson.append(
       ...files
         .sort((a, b) => Number(!!b.lesson) - Number(!!a.lesson))
         .map((file) => h("option", { value: file.name }, file.title || file.name)),
     ),
   );
-  return h(
+  const fill = (group: Next[]): void => {
+    fixed = group.map((one) => one.name);
+    name.value = `${today}-next`;
+    setText(whose, t("For {names} alone, unless you give a file", { names: fixed.join(", ") }));
+    list.value = "";
+    practice.checked = group.some((one) => one.practice);
+    void enough();
+    void listed.then(() => (lesson.value = group[0]?.file ?? lesson.value));
+  };
+  const element = h(
     "div",
     { class: "narrow" },
     h("h2", {}, t("New class")),
@@ -50,19 +70,23 @@ export function newClass(opened: (classes: Classes) => void): HTMLElement {
         field(t("Exercises"), count),
         field(t("Trainees to each"), crew),
         field(t("Names"), list, t("a file (CSV) with a name to a line: then nobody else may join")),
+        whose,
       ],
-      async () =>
-        opened(
-          await act<Classes>("class", {
-            do: "open",
-            class: name.value,
-            lesson: lesson.value,
-            practice: practice.checked,
-            exercises: count.valueAsNumber,
-            crew: Number(crew.value),
-            names: await names(),
-          }),
-        ),
+      async () => {
+        const classes = await act<Classes>("class", {
+          do: "open",
+          class: name.value,
+          lesson: lesson.value,
+          practice: practice.checked,
+          exercises: count.valueAsNumber,
+          crew: Number(crew.value),
+          names: await names(),
+        });
+        fixed = [];
+        setText(whose, "");
+        opened(classes);
+      },
     ),
   );
+  return { element, fill };
 }
