@@ -19,7 +19,7 @@ export function marksOf({ points, outcome }: ClassExercise): string {
 const kLook = 2000; // ms
 
 /** "Let go in 25 m, for practice", and why. */
-function nextWords({ title, why, practice }: Next): Node[] {
+function nextWords({ title, why, practice }: Next): (Node | string)[] {
   return [
     h("span", { lang: "en" }, title),
     ...(practice ? [`, ${t("for practice")}`] : []),
@@ -39,31 +39,27 @@ export function together(all: Next[]): Next[][] {
 
 /** Fills the cells by name, and the list of classes that would do, once the history has the class. */
 async function fillNext(id: string, cells: Map<string, HTMLElement>, list: HTMLElement, open: Open): Promise<void> {
-  const shown = (): boolean => [...cells.values()].some((cell) => cell.isConnected);
-  for (;;) {
-    // oxlint-disable-next-line no-await-in-loop -- one look after the other
-    const { waits, next } = await ask<NextOfClass>(`next?class=${id}`);
-    if (!waits) {
-      for (const one of next) cells.get(one.name)?.replaceChildren(...nextWords(one));
-      list.replaceChildren(
-        ...together(next).map((group) =>
-          h(
-            "button",
-            { onclick: () => open(group) },
-            t("Class of {count}: {title}", {
-              count: group.length,
-              title: group[0]!.practice ? `${group[0]!.title}, ${t("for practice")}` : group[0]!.title,
-            }),
-          ),
-        ),
-      );
-      return;
-    }
-    // oxlint-disable-next-line no-await-in-loop
-    await new Promise((then) => setTimeout(then, kLook));
-    if (!shown()) return;
+  const { waits, next } = await ask<NextOfClass>(`next?class=${id}`);
+  if (waits) {
+    const shown = (): boolean => [...cells.values()].some((cell) => cell.isConnected);
+    setTimeout(() => shown() && tellNext(id, cells, list, open), kLook);
+    return;
   }
+  for (const one of next) cells.get(one.name)?.replaceChildren(...nextWords(one));
+  const classOf = (group: Next[], { title, practice }: Next): HTMLElement =>
+    h(
+      "button",
+      { onclick: () => open(group) },
+      t("Class of {count}: {title}", {
+        count: group.length,
+        title: practice ? `${title}, ${t("for practice")}` : title,
+      }),
+    );
+  list.replaceChildren(...together(next).flatMap((group) => (group[0] ? [classOf(group, group[0])] : [])));
 }
+
+/** The list stands without it, too. */
+const tellNext: typeof fillNext = (...of) => fillNext(...of).catch(() => {});
 
 /** Begins a class of those who are to do the same next. */
 export type Open = (group: Next[]) => void;
@@ -100,7 +96,7 @@ export function classMarks(it: TrainingClass, open?: Open): HTMLElement {
   );
   if (rows.length === 0) return h("p", { class: "quiet" }, t("Nobody sat in this class."));
   const heads = [t("Trainee"), t("Seat"), t("Marks"), t("Talk it over"), t("What next")];
-  void fillNext(it.id, cells, list, open ?? (() => {})).catch(() => {}); // the class stands without it, too
+  void tellNext(it.id, cells, list, open ?? (() => {}));
   return h(
     "section",
     { class: "panel class-marks" },
