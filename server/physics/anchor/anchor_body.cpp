@@ -92,10 +92,20 @@ struct Corner {
     double radius;
 };
 
+/// Room for the pairs of one body's parts with the bed: three were wanted at most. Bullet's own is for 4096
+/// of each, 7 MB; where more are wanted it allocates.
+btDefaultCollisionConstructionInfo small_pools() {
+    constexpr int kPairs = 16;
+    btDefaultCollisionConstructionInfo pools;
+    pools.m_defaultMaxPersistentManifoldPoolSize = kPairs;
+    pools.m_defaultMaxCollisionAlgorithmPoolSize = kPairs;
+    return pools;
+}
+
 } // namespace
 
 struct AnchorBody::World {
-    btDefaultCollisionConfiguration configuration;
+    btDefaultCollisionConfiguration configuration{small_pools()};
     btCollisionDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
