@@ -27,6 +27,7 @@ struct Options {
     int threads = 1;
     std::string hear = "truth";
     bool realtime = false;
+    bool predict = false; // a minute ahead, for each exercise
     bool where = false;
     std::vector<int> exercises{1, 8, 64, 200};
 };
@@ -73,21 +74,35 @@ public:
         return all;
     }
     bool hears(int count) const {
-        return exercises().size() == static_cast<std::size_t>(count) &&
+        return exercises().size() == static_cast<std::size_t>(count) && orders_.matched() == count &&
                (!bridges_ || bridges_->matched() == count) && (!ships_ || ships_->matched() == count);
     }
     std::uint64_t samples() const { return samples_; }
+    std::uint64_t predictions() const { return predictions_; }
+    /// Has every exercise look a minute ahead from now on.
+    void predict() {
+        ExerciseCommand order;
+        order.origin().source("bench");
+        order.origin().serial(1);
+        order.action(EXERCISE_PREDICT);
+        order.predict(true);
+        orders_.write(order);
+    }
 
 private:
     mutable std::mutex mutex_;
     std::map<std::string, ClassroomStatus> last_; // by server
-    std::atomic<std::uint64_t> samples_{0};
+    std::atomic<std::uint64_t> samples_{0}, predictions_{0};
     wire::Participant classroom_, exercises_;
     wire::Reader<ClassroomStatus> statuses_{classroom_, wire::topics::classroom_status,
                                             [this](const auto& status) {
                                                 const std::lock_guard lock(mutex_);
                                                 last_[status.server().to_string()] = status;
                                             }};
+    wire::Writer<ExerciseCommand> orders_{exercises_, wire::topics::exercise_command};
+    wire::Reader<Prediction> told_{exercises_, wire::topics::prediction, [this](const Prediction& told) {
+                                       if (!told.moments().empty()) ++predictions_;
+                                   }};
     std::optional<wire::Reader<ForecastleView>> forecastles_;
     std::optional<wire::Reader<BridgeView>> bridges_;
     std::optional<wire::Reader<ChainState>> chains_;
@@ -151,7 +166,7 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
     for (int i = 0; i < count; ++i)
         arguments.insert(arguments.end(),
                          {"--exercise", exercise.string(), "--partition", fmt::format("e{}", i)});
-    const Listener listener(options.domain, options.hear);
+    Listener listener(options.domain, options.hear);
     const auto started = Clock::now();
     const rigs::ServerProcess server(arguments);
     while (!listener.hears(count)) {
@@ -159,13 +174,14 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
         wait(0.05);
     }
     const double heard = since(started);
+    if (options.predict) listener.predict();
     wait(6); // what is first met is slow; and of the lateness there is a line every 5 s
     const std::size_t said = said_by(server);
     const auto from = bench::cpu_by_thread(server.pid());
     const double cpu_from = bench::cpu_of(server.pid());
     const auto begin = Clock::now();
     const Sum before = sum(listener.exercises());
-    const std::uint64_t samples = listener.samples();
+    const std::uint64_t samples = listener.samples(), predictions = listener.predictions();
     wait(options.seconds);
     const double elapsed = since(begin);
     const double cpu = (bench::cpu_of(server.pid()) - cpu_from) / elapsed;
@@ -180,11 +196,15 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
     const Late lateness = late(server.text().substr(said));
     fmt::print(
         "| {} | {:.1f} % | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} "
-        "% | {:.1f} | {:.0f} |\n",
+        "% | {:.1f} | {:.0f} |",
         count, 100 * cpu, 1000 * cpu / count, per_exercise("tick"), per_exercise("publish"),
         per_exercise("dds"), lateness.half, lateness.most, lateness.all, after.slowest,
         100 * static_cast<double>(after.overruns - before.overruns) / ticks, heard,
         static_cast<double>(listener.samples() - samples) / elapsed / count);
+    if (options.predict)
+        fmt::print(" {:.1f} | {:.2f} |", per_exercise("lookout"),
+                   static_cast<double>(listener.predictions() - predictions) / elapsed / count);
+    fmt::print("\n");
     std::fflush(stdout);
 }
 
@@ -204,6 +224,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
     app.add_flag("--realtime", options.realtime, "the server under SCHED_FIFO, which needs the right to");
+    app.add_flag("--predict", options.predict, "each exercise looks a minute ahead, again and again");
     app.add_option("--hear", options.hear, "what is heard of each exercise: seats, truth or nobody")
         ->check(CLI::IsMember({"seats", "truth", "nobody"}))
         ->capture_default_str();
@@ -233,8 +254,9 @@ int main(int argc, char** argv) {
         } else {
             fmt::print("| exercises | server's CPU, of a core | ms/s each | ticks | publishing | DDS | half "
                        "late, ms | 99 % | all | slowest, x real time | overruns | heard after, s | samples/s "
-                       "each |\n"
-                       "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+                       "each |{}\n|---|---|---|---|---|---|---|---|---|---|---|---|---|{}\n",
+                       options.predict ? " ahead, ms/s each | predictions/s each |" : "",
+                       options.predict ? "---|---|" : "");
             for (const int count : options.exercises)
                 row(options, exercise, count);
         }

@@ -238,6 +238,13 @@ inline constexpr Topic<Assessment> seat_assessment{{.name = "SeatAssessment",
                                                     .reliable = true,
                                                     .transient_local = true,
                                                     .depth = 1}};
+inline constexpr Topic<Prediction> prediction{{.name = "Prediction",
+                                               .type = "Prediction",
+                                               .from_server = true,
+                                               .rate = 0,
+                                               .reliable = true,
+                                               .transient_local = true,
+                                               .depth = 1}};
 inline constexpr Topic<Checkpoint> checkpoint{{.name = "Checkpoint",
                                                .type = "Checkpoint",
                                                .from_server = true,
@@ -410,7 +417,7 @@ inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCo
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 51> all{exercise_status,
+inline constexpr std::array<TopicInfo, 52> all{exercise_status,
                                                exercise_truth,
                                                environment_state,
                                                ship_state,
@@ -439,6 +446,7 @@ inline constexpr std::array<TopicInfo, 51> all{exercise_status,
                                                bridge_order,
                                                assessment,
                                                seat_assessment,
+                                               prediction,
                                                checkpoint,
                                                order_taken,
                                                windlass_command,

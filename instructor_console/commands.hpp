@@ -30,6 +30,7 @@ struct Options {
     std::string file;
     bool practice = false; ///< load: its lesson is played for practice
     std::string bookmark;
+    bool no_more = false; ///< predict: off
 
     std::string side = "port";
     console::WeatherOptions weather;

@@ -64,6 +64,10 @@ void add_run_commands(CLI::App& app, Options& options, Command& chosen) {
         ->check([](const std::string& text) {
             return !text.empty() && text.size() <= 127 ? "" : std::string{"1 to 127 characters are allowed"};
         });
+    add(app, "predict", "look a minute ahead, again and again: how it would go on if nobody did anything",
+        chosen,
+        [](const Options& o) { return command::give_run_order(o, console::predict_order(!o.no_more)); })
+        .add_flag("--off", options.no_more, "no more");
     CLI::App& air =
         add(app, "environment", "change wind, waves, current, tide and light; what is not given stays",
             chosen, command::environment);

@@ -160,6 +160,14 @@ RunOrder bookmark_order(const std::string& text, const Picture& picture) {
     return order;
 }
 
+RunOrder predict_order(bool predict) {
+    RunOrder order =
+        run_order(EXERCISE_PREDICT, fmt::format("predictions {}", predict ? "on: a minute ahead" : "off"),
+                  [](const Picture&, const std::string&) { return true; });
+    order.sample.predict(predict);
+    return order;
+}
+
 ServerOrder<EnvironmentCommand> environment_order(const Environment& environment, const Picture& picture) {
     Weather wanted = picture.environment->after();
     wanted.time_of_day(picture.environment->now().time_of_day()); // it has gone on

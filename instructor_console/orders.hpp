@@ -39,6 +39,9 @@ RunOrder load_order(const std::string& file, bool practice);
 /// A word into the log, to be found again in the recording; from the events after those in the picture on.
 RunOrder bookmark_order(const std::string& text, const station::Picture& picture);
 
+/// Predictions are made from now on, or no more. Carried out is what is not refused.
+RunOrder predict_order(bool predict);
+
 /// New weather; what is not given stays as the picture has it, at the end of a ramp that runs.
 struct Environment {
     std::map<std::string_view, double> figures; ///< by their names in Weather, in its units: m/s, m, s, rad

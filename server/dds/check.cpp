@@ -189,7 +189,7 @@ std::optional<run::Refusal> refusal(const HelmCommand& sample, const run::Limits
 
 std::optional<run::Refusal> refusal(const ExerciseCommand& sample, const run::Limits& limits) {
     Checker check("ExerciseCommand", sample.origin(), -1);
-    check.known("action", sample.action(), EXERCISE_BOOKMARK);
+    check.known("action", sample.action(), EXERCISE_PREDICT);
     switch (sample.action()) {
     case EXERCISE_LOAD: {
         const std::string name = sample.exercise().to_string();
@@ -223,6 +223,7 @@ std::optional<run::Refusal> refusal(const ExerciseCommand& sample, const run::Li
     case EXERCISE_PAUSE:
     case EXERCISE_RESET:
     case EXERCISE_STOP:
+    case EXERCISE_PREDICT:
         break;
     }
     return check.result();

@@ -27,6 +27,7 @@ static_assert(static_cast<int>(exercise::CableWeight::too_much) == WEIGHT_TOO_MU
 static_assert(static_cast<int>(exercise::BridgeOrderState::cancelled) == ORDER_CANCELLED);
 static_assert(static_cast<int>(run::AlertPriority::emergency) == ALERT_EMERGENCY);
 static_assert(static_cast<int>(run::AlertCondition::normal) == ALERT_NORMAL);
+static_assert(static_cast<int>(run::PredictionState::foreign) == PREDICTION_FOREIGN);
 
 /// Whatever is published says to which tick it belongs.
 template <class From, class To>
@@ -130,6 +131,10 @@ void convert(const exercise::BridgeOrderView& from, std::uint64_t run, BridgeOrd
 }
 
 void convert(const run::QuestionView& from, Question& to) {
+    to_wire(from, to);
+}
+
+void convert(const run::PredictionView& from, Prediction& to) {
     to_wire(from, to);
 }
 

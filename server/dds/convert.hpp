@@ -4,6 +4,7 @@
 // the target.
 
 #include "server/assess/result.hpp"
+#include "server/run/prediction.hpp"
 #include "server/run/status.hpp"
 
 #include "idl/types.hpp"
@@ -22,6 +23,7 @@ void convert(const exercise::ExerciseEvent& from, Event& to);
 void convert(const run::AlertView& from, Alert& to);
 void convert(const run::CheckpointView& from, Checkpoint& to);
 void convert(const run::QuestionView& from, Question& to);
+void convert(const run::PredictionView& from, Prediction& to);
 void convert(const assess::Result& from, Assessment& to);
 void convert(const exercise::BridgeOrderView& from, std::uint64_t run, BridgeOrder& to);
 

@@ -62,6 +62,10 @@ run::OrderContent order(const ExerciseCommand& sample) {
         run.action = run::RunAction::bookmark;
         run.text = sample.text().to_string();
         break;
+    case EXERCISE_PREDICT:
+        run.action = run::RunAction::predict;
+        run.predict = sample.predict();
+        break;
     case EXERCISE_START:
         break;
     }

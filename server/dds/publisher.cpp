@@ -18,6 +18,7 @@ constexpr std::size_t kFrames = 16;   // a quarter of a second behind at 60 Hz
 constexpr std::size_t kEvents = 4096;
 constexpr std::size_t kInstructions = 256; // a lesson has 32 hints, and some dozens of pieces of briefings
 constexpr std::size_t kQuestions = 16;
+constexpr std::size_t kPredictions = 4;
 constexpr std::size_t kAlerts = 256;
 constexpr std::size_t kBridgeOrders = 256; // as many as an exercise keeps
 constexpr std::size_t kCheckpoints = 4;
@@ -90,7 +91,8 @@ Writers::Writers(wire::Participant& participant)
       checkpoint(participant, wire::topics::checkpoint),
       order(participant, wire::topics::order_taken),
       assessment(participant, wire::topics::assessment),
-      seat_assessment(participant, wire::topics::seat_assessment) {}
+      seat_assessment(participant, wire::topics::seat_assessment),
+      prediction(participant, wire::topics::prediction) {}
 
 Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
     : writers_(participant),
@@ -113,6 +115,7 @@ Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
       orders_(kOrders),
       assessments_(kAssessments),
       seat_assessments_(kAssessments),
+      predictions_(kPredictions),
       pool_(pool) {
     pool_.add(*this);
 }
@@ -218,6 +221,7 @@ template void Publisher::offer(const run::AlertView& alert);
 template void Publisher::offer(const run::CheckpointView& checkpoint);
 template void Publisher::offer(const run::OrderView& order);
 template void Publisher::offer(const run::QuestionView& question);
+template void Publisher::offer(const run::PredictionView& prediction);
 template void Publisher::offer(const assess::Result& assessment);
 
 void Publisher::tell_seats(const assess::Result& marks) {
@@ -320,7 +324,7 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
              forecastle_instructions_.empty() && bridge_instructions_.empty() &&
              forecastle_questions_.empty() && bridge_questions_.empty() && alerts_.empty() &&
              server_alerts_.empty() && bridge_orders_.empty() && seas_.empty() && checkpoints_.empty() &&
-             orders_.empty() && assessments_.empty() && seat_assessments_.empty()) &&
+             orders_.empty() && assessments_.empty() && seat_assessments_.empty() && predictions_.empty()) &&
            left().count() > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -361,7 +365,8 @@ void Publisher::write_waiting() {
             write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||
             write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint) ||
             write_oldest(assessments_, writers_.assessment) ||
-            write_oldest(seat_assessments_, writers_.seat_assessment))
+            write_oldest(seat_assessments_, writers_.seat_assessment) ||
+            write_oldest(predictions_, writers_.prediction))
             continue;
         const Output* output = outputs_.oldest();
         if (output == nullptr) return;

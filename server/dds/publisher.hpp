@@ -8,6 +8,7 @@
 #include "server/dds/spsc_ring.hpp"
 #include "server/dds/still_cable.hpp"
 #include "server/perceive/perceive.hpp"
+#include "server/run/prediction.hpp"
 #include "server/run/status.hpp"
 
 #include <array>
@@ -47,6 +48,7 @@ struct Writers {
     wire::Writer<Checkpoint> checkpoint;
     wire::Writer<OrderTaken> order;
     wire::Writer<Assessment> assessment, seat_assessment;
+    wire::Writer<Prediction> prediction;
 };
 
 /// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz (the chain 5 Hz
@@ -74,8 +76,8 @@ public:
     /// except that an event copies its text.
     void offer(const exercise::Snapshot& snapshot, const run::RunStatus& run, double now);
 
-    /// Hands over at once an AlertView, CheckpointView, OrderView, QuestionView or assess::Result; dropped
-    /// and counted only when thousands wait already.
+    /// Hands over at once an AlertView, CheckpointView, OrderView, QuestionView, PredictionView or
+    /// assess::Result; dropped and counted only when thousands wait already.
     template <class View>
     void offer(const View& view);
     /// The same of an event, and of what a seat notices of it; seen: the picture at it.
@@ -128,6 +130,7 @@ private:
         return question.forecastle ? forecastle_questions_ : bridge_questions_;
     }
     SpscRing<Assessment>& ring_of(const assess::Result&) { return assessments_; }
+    SpscRing<Prediction>& ring_of(const run::PredictionView&) { return predictions_; }
     void write_waiting() override;
     template <class Sample>
     bool write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& writer);
@@ -170,6 +173,7 @@ private:
     SpscRing<Checkpoint> checkpoints_;
     SpscRing<OrderTaken> orders_;
     SpscRing<Assessment> assessments_, seat_assessments_;
+    SpscRing<Prediction> predictions_;
     std::atomic<std::uint64_t> lost_{0}; // writes that DDS refused
 
     // Of the thread that writes: samples that keep their memory

@@ -37,6 +37,10 @@ template <>
 inline constexpr std::size_t kMostOnWire<JudgedReport> = 256;
 template <>
 inline constexpr std::size_t kMostOnWire<QuestionChoice> = 5;
+template <>
+inline constexpr std::size_t kMostOnWire<PredictedMoment> = 64;
+template <>
+inline constexpr std::size_t kMostOnWire<Event> = 32;
 
 /// A number, flag or enumerator; these stand in the order of the IDL.
 template <class T>

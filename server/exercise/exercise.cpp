@@ -303,6 +303,10 @@ HelmOrder Exercise::helm() const {
     return world_->own_ship.helm();
 }
 
+bool Exercise::foreign() const {
+    return world_->own_ship.foreign();
+}
+
 void Exercise::visit_state(ConstStateVisitor& v) const {
     const World& world = *world_;
     World::list_state(v, world);

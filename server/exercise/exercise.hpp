@@ -47,6 +47,8 @@ public:
     /// The levers of a windlass and of the helm as they were last ordered.
     WindlassOrder levers(Side side) const;
     HelmOrder helm() const;
+    /// Whether another simulator moves the ship.
+    bool foreign() const;
 
     /// Whether the ship is brought up to the anchor of that side; false where there is none.
     bool brought_up(Side side) const;

@@ -46,6 +46,8 @@ HostedExercise::HostedExercise(const wire::Participant& member, HostThreads& thr
       readers_(participant_, mailbox_),
       timekeeping_(threads.timekeeping),
       kept_(threads.keeper != nullptr ? threads.keeper->keep(id_, exercise::definition_hash(def)) : nullptr),
+      lookout_(threads.lookout),
+      outlook_(lookout_.add()),
       pacer_(session_.dt(), session_.status().time_scale, Clock::now()),
       scale_(session_.status().time_scale),
       measured_since_(start_),
@@ -55,6 +57,8 @@ HostedExercise::HostedExercise(const wire::Participant& member, HostThreads& thr
 }
 
 HostedExercise::~HostedExercise() {
+    outlook_->close();
+    lookout_.call();
     stop_keeping(false);
 }
 
@@ -66,6 +70,14 @@ void HostedExercise::keep() {
     if (!kept_) return;
     kept_->look(session_);
     session_.report_keeping(kept_->trouble());
+}
+
+void HostedExercise::look_ahead(Time now) {
+    const auto tell = [this](const run::PredictionView& prediction) { publisher_.offer(prediction); };
+    try {
+        if (outlook_->look(session_, now, tell)) lookout_.call();
+    } catch (const std::bad_alloc&) { // there is none, then, and the exercise goes on
+    }
 }
 
 /// Room for the whole cable, so that paying out never makes the publisher's slots grow.
@@ -159,6 +171,7 @@ void HostedExercise::beat() {
     }
     if (kept_ && kept_->wants_checkpoint()) session_.take_checkpoint_now();
     const auto now = Clock::now();
+    look_ahead(now);
     pacer_.beat_ended(ticks, now);
     session_.report_pace(pacer_.lateness(), pacer_.overruns(), pacer_.scale_achieved(), publisher_.dropped());
     if (setups_ != session_.setups()) {

@@ -57,6 +57,7 @@ private:
     void set_aside(const char* why) noexcept;
     void publish(double now);
     void keep();
+    void look_ahead(Time now);
     void stop_keeping(bool in_order);
     void prepare();
     void measure(Time began, Time ended);
@@ -72,6 +73,8 @@ private:
     const dds::CommandReaders readers_;
     Timekeeping& timekeeping_;
     std::shared_ptr<keep::KeptExercise> kept_; // none: it is not kept
+    Lookout& lookout_;
+    const std::shared_ptr<Outlook> outlook_;
     Pacer pacer_;
     run::Inbox inbox_;
     unsigned setups_ = 0;

@@ -12,7 +12,7 @@
 namespace windlass::run {
 
 /// Orders about the run of the exercise, not about what happens in it.
-enum class RunAction { load, start, pause, reset, time_scale, stop, snapshot, restore, bookmark };
+enum class RunAction { load, start, pause, reset, time_scale, stop, snapshot, restore, bookmark, predict };
 
 struct RunOrder {
     RunAction action = RunAction::start;
@@ -21,6 +21,7 @@ struct RunOrder {
     double time_scale = 1;   ///< time_scale: exercise seconds per wall second, 0 = as fast as possible
     double restore_time = 0; ///< restore: s of exercise, of the last checkpoint up to then
     std::string text;        ///< bookmark: a word for it
+    bool predict = false;    ///< predict: from now on; false: no more
 };
 
 /// A watchkeeper acknowledges or silences an alert.

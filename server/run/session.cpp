@@ -54,6 +54,8 @@ const char* name(RunAction action) {
         return "RESTORE";
     case RunAction::bookmark:
         return "BOOKMARK";
+    case RunAction::predict:
+        return "PREDICT";
     }
     return "unknown";
 }
@@ -314,6 +316,10 @@ void Session::carry_out(const RunOrder& order, const ReceivedOrder& from) {
         return;
     case RunAction::bookmark:
         log("exercise.bookmark", order.text.empty() ? "bookmark" : order.text);
+        return;
+    case RunAction::predict:
+        if (std::exchange(predicts_, order.predict) == order.predict) return;
+        log("exercise.prediction", fmt::format("predictions {} by {}", order.predict ? "on" : "off", source));
         return;
     case RunAction::stop:
         if (over()) return;

@@ -114,6 +114,12 @@ public:
     const CheckpointView* checkpoint() const { return new_checkpoint_ ? &checkpoints_.back() : nullptr; }
     /// What a seat is asked, as it came to be since then; an empty id: nothing any more.
     const std::vector<QuestionView>& questions() const { return questions_; }
+    /// An instructor wants to see a minute ahead; nothing in the exercise comes of it.
+    bool predicts() const { return predicts_; }
+    /// Orders that went into this run so far.
+    std::uint64_t orders_taken() const { return orders_taken_; }
+    /// The present state as bytes, with all that goes with it (exercise/checkpoint.hpp).
+    std::vector<std::uint8_t> state() const;
     /// It stands for a question: the answer makes it go on, or an instructor's start.
     bool held() const { return held_; }
     void clear_news();
@@ -208,6 +214,7 @@ private:
     };
     std::array<Asked, 2> asked_{};      // forecastle, bridge
     bool held_ = false;                 // paused for a question, and for nothing else
+    bool predicts_ = false;             // an instructor wants it, whatever is run
     std::array<bool, 2> instructed_{};  // forecastle, bridge: something was told to it alone
     bool lesson_over_told_ = false;     // to the seats, of this run
     std::uint64_t orders_taken_ = 0;    // of this run

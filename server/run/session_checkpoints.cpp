@@ -34,8 +34,12 @@ void Session::take_checkpoint() {
                             .run = status_.run,
                             .orders_taken = status_.orders_taken,
                             .format = exercise::kCheckpointFormat,
-                            .data = exercise::write_checkpoint(exercise_, &assessor_)});
+                            .data = state()});
     new_checkpoint_ = true;
+}
+
+std::vector<std::uint8_t> Session::state() const {
+    return exercise::write_checkpoint(exercise_, &assessor_);
 }
 
 void Session::take_checkpoint_now() {

@@ -114,9 +114,10 @@ TEST(GatewayOrders, EveryOtherOrderIsThatOfATypedWriter) {
     exercise.time_scale(8);
     exercise.restore_time(120.5);
     exercise.text("too early");
+    exercise.predict(true);
     expect_same(topics::exercise_command,
                 R"({"action": "EXERCISE_BOOKMARK", "exercise": "walk_back_60m.json", "time_scale": 8,
-                    "restore_time": 120.5, "text": "too early"})",
+                    "restore_time": 120.5, "text": "too early", "predict": true})",
                 exercise);
 
     FaultCommand fault;

@@ -65,9 +65,9 @@ TEST_P(RoleOf, ASeatIsWhatRolesTxtGivesIt) {
 
 TEST_P(RoleOf, NoTraineesSeatHearsATopicOfTheTruthLive) {
     const Names heard = names(role_of(GetParam(), "mine").hears);
-    for (const char* truth :
-         {"ExerciseTruth", "EnvironmentState", "ShipState", "AnchorState", "ChainState", "WindlassLoad",
-          "CableForce", "SeabedDescription", "Event", "ServerAlert", "OrderTaken", "Assessment"})
+    for (const char* truth : {"ExerciseTruth", "EnvironmentState", "ShipState", "AnchorState", "ChainState",
+                              "WindlassLoad", "CableForce", "SeabedDescription", "Event", "ServerAlert",
+                              "OrderTaken", "Assessment", "Prediction"})
         EXPECT_EQ(heard.contains(truth), has_truth(GetParam())) << truth;
     EXPECT_EQ(heard.contains("FaultCommand"), GetParam() == Seat::instructor);
 }

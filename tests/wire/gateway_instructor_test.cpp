@@ -127,6 +127,41 @@ TEST_F(InstructorStation, FoxglovesOwnClientConnectsAndDecodesEveryChannelThatSp
     EXPECT_TRUE(refused["topics"].empty());
 }
 
+TEST_F(InstructorStation, SeesAMinuteAheadWhereItAsksAndWhatItSawIsRecorded) {
+    const auto desk = instructor({"--recordings", folder_.string()});
+    const auto deck = seat("forecastle");
+    PageClient teacher(desk->address), trainee(deck->address);
+    teacher.say({{"op", "record"}, {"id", 1}, {"on", true}, {"name", "ahead"}});
+    ASSERT_FALSE(teacher.wait_for("hello", {{"recording", "ahead"}}).is_null()) << desk->text();
+    ASSERT_TRUE(eventually([&] { return desk->text().find("recording partition") != std::string::npos; }));
+    ASSERT_TRUE(eventually([&] { return !trainee.samples("ForecastleView").empty(); }));
+    EXPECT_THAT(teacher.samples("Prediction"), IsEmpty()) << "off unless it is asked for";
+    give(teacher, "ExerciseCommand", {{"action", "EXERCISE_PREDICT"}, {"predict", true}});
+    const auto newest = [&] {
+        const auto told = teacher.all<Prediction>("Prediction");
+        return told.empty() ? Prediction{} : told.back();
+    };
+    ASSERT_TRUE(eventually([&] { return newest().state() == PREDICTION_WHOLE; })) << newest().state();
+    EXPECT_EQ(newest().moments().size(), 61U);
+    EXPECT_EQ(newest().run(), status().run());
+    EXPECT_EQ(newest().moments()[60].time() - newest().time(), 60);
+    EXPECT_TRUE(has_event("exercise.prediction", "predictions on by teacher"));
+    give(teacher, "ExerciseCommand", {{"action", "EXERCISE_PREDICT"}, {"predict", false}});
+    ASSERT_TRUE(eventually([&] { return newest().state() == PREDICTION_OFF; }));
+    EXPECT_THAT(newest().moments(), IsEmpty());
+    EXPECT_THAT(trainee.heard(), testing::Not(testing::Contains("Prediction")));
+
+    teacher.say({{"op", "record"}, {"id", 2}, {"on", false}});
+    ASSERT_TRUE(eventually([&] { return teacher.told("hello").back()["recording"].is_null(); }));
+    recording::Recording recording({folder_ / "ahead"});
+    std::vector<PredictionState> recorded;
+    auto cursor = recording.messages({.topics = {"Prediction"}});
+    while (const auto message = cursor.next())
+        recorded.push_back(recording::decode<Prediction>(message->payload).state());
+    EXPECT_THAT(recorded, testing::Contains(PREDICTION_WHOLE));
+    EXPECT_THAT(recorded, testing::Contains(PREDICTION_OFF));
+}
+
 std::vector<std::string> ids(const json& scene) {
     std::vector<std::string> all;
     for (const json& entity : scene.at("entities"))

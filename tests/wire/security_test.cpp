@@ -461,7 +461,7 @@ TEST(Roles, CoverTheTopicTable) {
         EXPECT_TRUE(may[none].empty()) << none;
     for (const char* topic : {"AnchorState", "ChainState", "WindlassLoad", "CableForce", "ShipState", "Event",
                               "Assessment", "ExerciseTruth", "EnvironmentState", "SeabedDescription",
-                              "ServerAlert", "OrderTaken", "Checkpoint"})
+                              "ServerAlert", "OrderTaken", "Checkpoint", "Prediction"})
         for (const char* seat : {"trainee read", "forecastle read", "conning read", "watcher read"}) {
             EXPECT_FALSE(may[seat].contains(topic)) << seat << " " << topic;
             EXPECT_TRUE(debrief[seat].contains(topic)) << seat << " " << topic;

@@ -82,8 +82,10 @@ TEST(Words, HaveEveryEnumerationThatIsPublished) {
     std::set<std::string> without;
     for (const auto& [name, type] : published())
         if (!file().at("enumerations").contains(name)) without.insert(name);
-    // Of orders that are recorded: they choose a member, or name a button, and nobody reads them.
-    EXPECT_THAT(without, testing::UnorderedElementsAre("AlertAction", "AnswerKind", "OrderTakenKind"));
+    // Of orders that are recorded: they choose a member, or name a button, and nobody reads them. What a
+    // prediction came to is said in sentences with figures.
+    EXPECT_THAT(without, testing::UnorderedElementsAre("AlertAction", "AnswerKind", "OrderTakenKind",
+                                                       "PredictionState"));
 }
 
 TEST(Words, EventsHaveOneRowEach) {
