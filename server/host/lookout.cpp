@@ -7,12 +7,18 @@
 #include <pthread.h>
 #include <time.h>
 
+#include <algorithm>
+
 namespace windlass::host {
 
 namespace {
 
-constexpr int kTicksAtOnce =
-    30; // until the next exercise has its turn, or somebody is heard who wants an end
+using namespace std::chrono_literals;
+
+/// Until the next exercise has its turn, and somebody is heard who wants an end.
+constexpr auto kTurn = 1ms;
+/// After it the core is free for an instant, in which Linux looks whether somebody waits for the other one.
+constexpr auto kPause = 100us;
 
 /// s of processor time that this thread has had.
 double thread_time() {
@@ -81,7 +87,7 @@ bool Outlook::go_on() {
     bool goes_on = true, made = true;
     try {
         if (!branch_) branch_.emplace(state_, of_run_);
-        for (int tick = 0; tick < kTicksAtOnce && goes_on; ++tick)
+        for (const Time end = Clock::now() + kTurn; goes_on && Clock::now() < end;)
             goes_on = branch_->step();
     } catch (const std::exception& error) { // no memory
         spdlog::warn("no prediction: {}", error.what());
@@ -108,8 +114,9 @@ void Outlook::put_down(bool made) {
         }
         made_ = made;
         at_it_ = false;
-        rests_until_ = given_at_ + std::chrono::duration_cast<Clock::duration>(
-                                       std::chrono::duration<double>(spent_ / kShare));
+        const std::chrono::duration<double> rest(spent_ / kShare);
+        rests_until_ =
+            given_at_ + std::max<Clock::duration>(kApart, std::chrono::duration_cast<Clock::duration>(rest));
     }
     branch_.reset();
 }
@@ -148,8 +155,11 @@ void Lookout::work() {
     while (!stop_) {
         const int calls = calls_;
         bool busy = false;
-        for (const auto& outlook : outlooks())
-            if (!stop_ && outlook->go_on()) busy = true;
+        for (const auto& outlook : outlooks()) {
+            if (stop_ || !outlook->go_on()) continue;
+            busy = true;
+            std::this_thread::sleep_for(kPause);
+        }
         if (!busy && !stop_) calls_.wait(calls);
     }
 }

@@ -27,8 +27,10 @@ public:
 
     static constexpr double kShare = 0.1;    ///< of a core that predictions of one exercise take, at most
     static constexpr double kMostTime = 1.5; ///< s of processor time that one of them takes
-    static constexpr std::chrono::seconds kPatience{
-        10}; ///< one that takes longer is told as far as it has come
+    /// From one to the next, at least: more of them nobody could look at, and a recording keeps them all.
+    static constexpr std::chrono::seconds kApart{2};
+    /// One that takes longer is told as far as it has come.
+    static constexpr std::chrono::seconds kPatience{10};
 
     // Of the thread that ticks, between two ticks.
 
