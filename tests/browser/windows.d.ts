@@ -38,11 +38,13 @@ declare global {
     /** What was written on canvases, and how many points the longest track has. */
     written: Set<string>;
     trackPoints: number;
+    /** Points of the longest dotted line in each plot, and in the plan. */
+    dotted: Record<string, number>;
     /** The modules of the deck's sound. */
     sound: typeof chain & typeof alarm & typeof deck & typeof player & typeof samples & typeof voices;
   }
   interface CanvasRenderingContext2D {
-    /** Of the path that is drawn, as past.test.ts counts them. */
+    /** Of the path that is drawn, as tests count them. */
     points: number;
   }
 }

@@ -119,7 +119,7 @@ TEST_F(LookoutTest, TakesATenthOfACoreAtMostAndChangesNoBitOfTheExercise) {
     const auto began = Outlook::Clock::now();
     double spent = 0, last = 0;
     std::size_t made = 0;
-    while (made < 3 && Outlook::Clock::now() - began < 90s) {
+    while (made < 2 && Outlook::Clock::now() - began < 90s) {
         for (int tick = 0; tick < 30; ++tick)
             with.tick(), without.tick();
         ASSERT_EQ(with.snapshot().state_hash, without.snapshot().state_hash) << with.now_time();
@@ -135,7 +135,7 @@ TEST_F(LookoutTest, TakesATenthOfACoreAtMostAndChangesNoBitOfTheExercise) {
         std::this_thread::sleep_for(20ms);
     }
     const std::chrono::duration<double> lasted = Outlook::Clock::now() - began;
-    EXPECT_EQ(made, 3U);
+    EXPECT_EQ(made, 2U);
     // What the last one took is worked off after it.
     EXPECT_LE(spent - last, Outlook::kShare * lasted.count());
 }

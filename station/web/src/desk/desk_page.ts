@@ -6,6 +6,7 @@ import { showsTopic } from "../kit/live";
 import { type Page, pageAddress } from "../kit/page";
 import { sideWord } from "../kit/units";
 import { PlotBoard } from "../plots/board";
+import { Ahead } from "./ahead";
 import { AskedBar } from "./asked";
 import { Desk } from "./desk";
 import { EnvironmentPanel } from "./environment";
@@ -43,7 +44,9 @@ export function makeDesk(page: Page): void {
   const replay = new ReplayBar(desk);
   const plots = new PlotBoard(desk.link);
   desk.past.add(plots);
-  const views = new Views(desk, page.still);
+  const ahead = new Ahead(desk, page.root);
+  plots.ahead = () => ahead.shown;
+  const views = new Views(desk, page.still, () => ahead.shown);
   const pick = (time: number): void => (desk.replay ? replay.seek(replay.positionOf(time)) : run.suggest(time));
   const timeline = new Timeline(desk, {
     pick,
@@ -52,6 +55,7 @@ export function makeDesk(page: Page): void {
   });
   const projector = new Projector(desk, page.root, plots, timeline);
   plots.element.querySelector(".plot-bar")!.prepend(views.choice, sideChoice(desk), projector.choice, projector.button);
+  plots.element.querySelector(".plot-bar")!.append(ahead.element);
   desk.onSide((side) => (plots.side = side));
   desk.events.onChange(() => (plots.flags = timeline.flags()));
   plots.onCursor((time) => timeline.showCursor(time));

@@ -10,6 +10,7 @@ import {
   AnchorPhase,
   type AnchorState,
   type Event,
+  type Prediction,
   type ShipState,
   type TopicName,
   type TopicTypes,
@@ -55,6 +56,7 @@ export class PlanFeed {
     container: HTMLElement,
     private readonly link: Connection,
     events: EventStore,
+    private readonly ahead: () => Prediction | undefined,
   ) {
     this.link.latest("ChainState", 0); // asked for from the beginning, not when a cable is first drawn
     this.view = new PlanView(container);
@@ -99,6 +101,8 @@ export class PlanFeed {
     const lines: PlanLine[] = [{ kind: "track", points: this.track.line() }];
     const marks: PlanMark[] = [];
     const circles: PlanCircle[] = [];
+    const ahead = this.ahead()?.moments;
+    if (ahead) lines.push({ kind: "ahead", points: ahead.flatMap((moment) => [moment.x, moment.y]) });
     for (const side of [0, 1]) this.addSide(side, ship.time, lines, marks, circles);
     const environment = this.link.latest("EnvironmentState")?.now;
     this.view.update({

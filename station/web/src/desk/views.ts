@@ -5,6 +5,7 @@ import type { Desk } from "./desk";
 import { PlanFeed } from "./plan_feed";
 import type { SceneView } from "./scene_view";
 import { t } from "../kit/language";
+import type { Prediction } from "../wire/generated";
 
 type Mode = "both" | "scene" | "plan";
 const modes: readonly (readonly [Mode, string])[] = [
@@ -35,9 +36,10 @@ export class Views {
   constructor(
     private readonly desk: Desk,
     private readonly still: boolean,
+    ahead: () => Prediction | undefined,
   ) {
     this.element = h("div", { class: "views" }, this.scenePlace, this.plan);
-    desk.past.add(new PlanFeed(this.plan, desk.link, desk.events));
+    desk.past.add(new PlanFeed(this.plan, desk.link, desk.events, ahead));
     this.buttons = modes.map(([mode, text]) =>
       h("button", { class: "chip", "data-mode": mode, onclick: () => this.show(mode) }, text),
     );

@@ -26,6 +26,7 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   "exercise.finished": ["exercise finished: {reason}"],
   "exercise.loaded": ["exercise loaded by {name}"],
   "exercise.paused": ["exercise holds for a question", "exercise paused by {name}"],
+  "exercise.prediction": ["predictions on by {name}", "predictions off by {name}"],
   "exercise.reset": ["exercise reset by {name}"],
   "exercise.restored": ["exercise restored to {0} s, paused, by {name}"],
   "exercise.resumed": ["exercise goes on", "exercise resumed by {name}"],

@@ -105,7 +105,11 @@ export function lines({ c, at, colours }: Sheet, all: PlanLine[]): void {
       else c.lineTo(p.x, p.y);
     }
     c.lineJoin = "round";
-    if (kind === "cable") stroke(c, { colour: colours.cable, width: 2.5 });
+    if (kind === "ahead") {
+      c.lineCap = "round";
+      stroke(c, { colour: colours.ship, width: 2.5, dash: [0.1, 5] });
+      c.lineCap = "butt";
+    } else if (kind === "cable") stroke(c, { colour: colours.cable, width: 2.5 });
     else if (kind === "trail") stroke(c, { colour: colours.anchor, width: 1.5, dash: [2, 3] });
     else stroke(c, { colour: colours.track, width: 1.5 });
   }

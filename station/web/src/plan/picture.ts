@@ -37,9 +37,9 @@ export interface PlanCircle extends Place {
   editable?: boolean;
 }
 
-/** A line of world points x, y, x, y ...: a track, a cable, an anchor's trail. */
+/** A line of world points x, y, x, y ...: a track, also the one to come, a cable, an anchor's trail. */
 export interface PlanLine {
-  kind: "track" | "cable" | "trail";
+  kind: "track" | "ahead" | "cable" | "trail";
   points: ArrayLike<number>;
 }
 

@@ -7,10 +7,10 @@ import { everySecond } from "../kit/page";
 import { onPalette } from "../kit/palette";
 import { clock, measures } from "../kit/units";
 import type { Connection } from "../wire/connection";
-import type { TopicName, TopicTypes, WindlassLoad } from "../wire/generated";
+import type { Prediction, TopicName, TopicTypes, WindlassLoad } from "../wire/generated";
 import { type Latest, type PaneSpec, panes, placeOf, places } from "./channels";
 import { History } from "./history";
-import { type Flag, Pane } from "./pane";
+import { type AheadLines, type Flag, Pane } from "./pane";
 import { t } from "../kit/language";
 
 const kInterval = 0.05; // s
@@ -24,6 +24,7 @@ const spans: readonly [string, number][] = [
   ["20 min", 1200],
   ["2 h", 7200],
 ];
+const kAhead = 60; // s, of the room to the right that a prediction is given
 const kFirst = ["loads", "speed", "out", "temperature"];
 
 export class PlotBoard {
@@ -41,6 +42,8 @@ export class PlotBoard {
   private drawn = 0; // ms of performance.now()
   /** What the plots mark; set by the desk. */
   flags: readonly Flag[] = [];
+  /** What is to come, dotted, where the desk has it. */
+  ahead: () => Prediction | undefined = () => undefined;
 
   constructor(private readonly link: Connection) {
     const chips = panes.map((pane) =>
@@ -166,15 +169,30 @@ export class PlotBoard {
     const end = Number.isNaN(this.history.end) ? 0 : this.history.end;
     const to = Math.max(end, this.span);
     const from = to - this.span;
+    const ahead = this.ahead();
+    const until = ahead ? to + kAhead : to;
     const { begin } = this.history;
     // The station tells what it has heard, and was perhaps not there from the beginning.
     setText(this.since, begin > Math.max(from, kFromBegin) ? t("heard since {time}", { time: clock(begin) }) : "");
     for (const pane of this.shown.values()) {
       const which = pane.spec.channels.map((channel) => placeOf(pane.spec, channel, this.side_));
-      const { times, series } = this.history.window(from, to, kBuckets, which);
-      pane.show(times, series, from, to, pane.spec.limits?.(this.link, this.side_) ?? [], this.flags);
+      const { times, series } = this.history.window(from, until, kBuckets, which);
+      pane.ahead = ahead && aheadIn(pane.spec, ahead, this.side_);
+      pane.show(times, series, from, until, pane.spec.limits?.(this.link, this.side_) ?? [], this.flags);
     }
   }
+}
+
+/** What a prediction says of a pane's channels. */
+function aheadIn({ channels }: PaneSpec, { moments }: Prediction, side: number): AheadLines {
+  const known = moments.flatMap(({ time, cables }) => {
+    const cable = cables.find((each) => each.side === side);
+    return cable ? [{ time, cable }] : [];
+  });
+  return {
+    times: known.map(({ time }) => time),
+    series: channels.map(({ ahead }) => (ahead ? known.map(({ cable }) => ahead(cable)) : [])),
+  };
 }
 
 function remembered(): string[] {

@@ -4,6 +4,7 @@ import { limits } from "../../../../words/words.json";
 import { loadsMeasured } from "../kit/measured";
 import { type Measure, cableSpeeds, celsius, degrees, kTonne, knots, loads } from "../kit/units";
 import type { Connection } from "../wire/connection";
+import type { PredictedCable } from "../wire/generated";
 import { t, writtenFigure } from "../kit/language";
 
 /** What was heard last of each topic: of a link, or at a moment of the past. */
@@ -18,6 +19,8 @@ export interface Channel {
   read: (link: Latest, side: number) => number;
   /** What a gauge shows, or a set point: dashed. */
   dashed?: boolean;
+  /** What a prediction says of it, as read() gives it. */
+  ahead?: (cable: PredictedCable) => number;
   /** It may leave the picture: what could be held is often far above what is. */
   leaves?: boolean;
 }
@@ -101,9 +104,9 @@ export const panes: readonly PaneSpec[] = [
     unit: loads,
     least: 10 * kTonne,
     channels: [
-      ofLoad("hawse", t("hawse"), 1, (l) => l.hawse_tension),
-      ofLoad("gypsy", t("gypsy"), 1, (l) => l.gypsy_load),
-      ofLoad("brake", t("brake"), 1, (l) => l.brake_load),
+      ofLoad("hawse", t("hawse"), 1, (l) => l.hawse_tension, { ahead: (c) => c.hawse_tension }),
+      ofLoad("gypsy", t("gypsy"), 1, (l) => l.gypsy_load, { ahead: (c) => c.gypsy_load }),
+      ofLoad("brake", t("brake"), 1, (l) => l.brake_load, { ahead: (c) => c.brake_load }),
       ofLoad("capacity", t("brake holds"), 1, (l) => l.brake_capacity, { dashed: true, leaves: true }),
     ],
     limits: (link, side) => {
@@ -122,7 +125,7 @@ export const panes: readonly PaneSpec[] = [
     short: t("Speed"),
     unit: cableSpeeds,
     least: 1,
-    channels: [ofWindlass("speed", t("paying out +"), 2, (l) => l.cable_speed)],
+    channels: [ofWindlass("speed", t("paying out +"), 2, (l) => l.cable_speed, { ahead: (c) => c.cable_speed })],
     limits: () => [
       { label: t("fast"), value: limits.cable_fast.value },
       { label: t("runaway"), value: limits.cable_runaway.value },
@@ -135,7 +138,7 @@ export const panes: readonly PaneSpec[] = [
     unit: "m",
     least: 10,
     channels: [
-      ofWindlass("out", t("out|cable"), 1, (l) => l.cable_out),
+      ofWindlass("out", t("out|cable"), 1, (l) => l.cable_out, { ahead: (c) => c.cable_out }),
       ofWindlass("counter", t("counter"), 1, (l) => l.cable_out_indicated, { dashed: true }),
     ],
   },
@@ -146,7 +149,9 @@ export const panes: readonly PaneSpec[] = [
     unit: "\u00b0C",
     least: 50,
     channels: [
-      ofWindlass("lining", t("lining"), 0, (l) => celsius(l.lining_temperature)),
+      ofWindlass("lining", t("lining"), 0, (l) => celsius(l.lining_temperature), {
+        ahead: (c) => celsius(c.lining_temperature),
+      }),
       ofWindlass("drum", t("drum"), 0, (l) => celsius(l.drum_temperature)),
     ],
     limits: () => [

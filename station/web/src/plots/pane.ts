@@ -15,6 +15,12 @@ export interface Flag {
   colour: string;
 }
 
+/** What is to come of its channels, as they read; none of a channel: nobody can say. */
+export interface AheadLines {
+  times: number[];
+  series: number[][];
+}
+
 const kFont = 11; // px
 const kAxis = 40; // px, of the figures on the left, at that size
 const kTimes = 18; // px, of the times below
@@ -26,6 +32,8 @@ export class Pane {
   private readonly unit = h("small", {});
   private limits: Limit[] = [];
   private flags: readonly Flag[] = [];
+  /** Drawn with the next show(). */
+  ahead: AheadLines | undefined;
   private data: uPlot.AlignedData;
 
   /**
@@ -193,19 +201,50 @@ export class Pane {
           },
         ],
         drawClear: [(plot) => this.drawFlags(plot)],
-        draw: [(plot) => this.drawLimits(plot)],
+        draw: [(plot) => this.drawAhead(plot), (plot) => this.drawLimits(plot)],
       },
     };
   }
 
   /** Zero is always in sight; a limit comes into it when the figure is past half of it. */
   private range(low: number | null, high: number | null): uPlot.Range.MinMax {
-    const least = Math.min(0, low ?? 0);
+    const ahead = this.spec.channels.flatMap(({ leaves }, i) => (leaves ? [] : this.aheadOf(i)));
+    const least = Math.min(0, low ?? 0, ...ahead);
     const floor = this.spec.least / this.si;
-    let most = Math.max(floor, high ?? 0);
+    let most = Math.max(floor, high ?? 0, ...ahead);
     for (const { value } of this.limits) if (most > 0.5 * value) most = Math.max(most, value);
     const space = most - least || 1;
     return [least < 0 ? least - 0.06 * space : 0, most + (most > floor ? 0.08 * space : 0)];
+  }
+
+  /** Of a channel that is shown, as it is drawn. */
+  private aheadOf(channel: number): number[] {
+    const shown = this.plot?.series[channel + 1]?.show;
+    return shown ? (this.ahead?.series[channel] ?? []).map((value) => value / this.si) : [];
+  }
+
+  /** As dots in the channel's colour, over what has come since. */
+  private drawAhead(plot: uPlot): void {
+    if (!this.ahead) return;
+    const { times } = this.ahead;
+    const { ctx, bbox } = plot;
+    const ratio = devicePixelRatio * this.large;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    ctx.lineWidth = 2.5 * ratio;
+    ctx.lineCap = ctx.lineJoin = "round";
+    ctx.setLineDash([0.1 * ratio, 5 * ratio]);
+    this.spec.channels.forEach((_, channel) => {
+      ctx.strokeStyle = colour(`plot-${channel + 1}`);
+      ctx.beginPath();
+      this.aheadOf(channel).forEach((value, i) =>
+        ctx.lineTo(plot.valToPos(times[i]!, "x", true), plot.valToPos(value, "y", true)),
+      );
+      ctx.stroke();
+    });
+    ctx.restore();
   }
 
   private drawLimits(plot: uPlot): void {
