@@ -101,8 +101,7 @@ export class PlanFeed {
     const lines: PlanLine[] = [{ kind: "track", points: this.track.line() }];
     const marks: PlanMark[] = [];
     const circles: PlanCircle[] = [];
-    const ahead = this.ahead()?.moments;
-    if (ahead) lines.push({ kind: "ahead", points: ahead.flatMap((moment) => [moment.x, moment.y]) });
+    const ahead = this.ahead()?.moments.flatMap((moment) => [moment.x, moment.y]) ?? [];
     for (const side of [0, 1]) this.addSide(side, ship.time, lines, marks, circles);
     const environment = this.link.latest("EnvironmentState")?.now;
     this.view.update({
@@ -115,6 +114,7 @@ export class PlanFeed {
         speed: ship.speed_over_ground,
       },
       lines,
+      ahead,
       marks,
       circles,
       ...(environment && {

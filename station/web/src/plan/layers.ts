@@ -105,14 +105,27 @@ export function lines({ c, at, colours }: Sheet, all: PlanLine[]): void {
       else c.lineTo(p.x, p.y);
     }
     c.lineJoin = "round";
-    if (kind === "ahead") {
-      c.lineCap = "round";
-      stroke(c, { colour: colours.ship, width: 2.5, dash: [0.1, 5] });
-      c.lineCap = "butt";
-    } else if (kind === "cable") stroke(c, { colour: colours.cable, width: 2.5 });
+    if (kind === "cable") stroke(c, { colour: colours.cable, width: 2.5 });
     else if (kind === "trail") stroke(c, { colour: colours.anchor, width: 1.5, dash: [2, 3] });
     else stroke(c, { colour: colours.track, width: 1.5 });
   }
+}
+
+/** Where she will be: over her hull and her vector, from midships to a ring at its end. */
+export function ahead({ c, at, colours }: Sheet, points: ArrayLike<number>): void {
+  let end: Pixel | undefined;
+  c.beginPath();
+  for (let k = 0; k + 1 < points.length; k += 2) {
+    end = at.toScreen(points[k]!, points[k + 1]!);
+    if (k === 0) c.moveTo(end.x, end.y);
+    else c.lineTo(end.x, end.y);
+  }
+  if (!end) return;
+  c.lineCap = c.lineJoin = "round";
+  stroke(c, { colour: colours.sea, width: 5 });
+  stroke(c, { colour: colours.left, width: 3, dash: [0.1, 5] });
+  c.lineCap = "butt";
+  ring(c, end, 5, { colour: colours.left, width: 2 });
 }
 
 const circleDash: Record<PlanCircle["kind"], number[]> = { swing: [8, 5], drag: [2, 4], watch: [] };

@@ -37,9 +37,9 @@ export interface PlanCircle extends Place {
   editable?: boolean;
 }
 
-/** A line of world points x, y, x, y ...: a track, also the one to come, a cable, an anchor's trail. */
+/** A line of world points x, y, x, y ...: a track, a cable, an anchor's trail. */
 export interface PlanLine {
-  kind: "track" | "ahead" | "cable" | "trail";
+  kind: "track" | "cable" | "trail";
   points: ArrayLike<number>;
 }
 
@@ -58,6 +58,8 @@ export interface PlanFlow {
 export interface PlanPicture {
   ship?: PlanShip;
   lines: PlanLine[];
+  /** Her track to come, x, y, x, y ... */
+  ahead?: ArrayLike<number>;
   marks: PlanMark[];
   circles: PlanCircle[];
   soundings: PlanSounding[];

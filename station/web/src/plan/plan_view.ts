@@ -191,6 +191,7 @@ export class PlanView {
     layers.lines(sheet, picture.lines);
     layers.circles(sheet, picture.circles);
     if (picture.ship) layers.ownShip(sheet, picture.ship);
+    if (picture.ahead) layers.ahead(sheet, picture.ahead);
     layers.marks(sheet, picture.marks);
     this.measuring.draw(sheet, picture.ship);
     layers.compassRose(sheet, picture);
