@@ -32,6 +32,11 @@ bool perceive_camera(const exercise::Snapshot& from, const exercise::TackleView&
     to.stopper_closed(windlass.stopper_closed);
     to.stopper_sprung(windlass.stopper_sprung);
 
+    // Men who are at it; those who are done, or wait for something, stand by like others.
+    const exercise::DeckWorkView& work = tackle.deck_work;
+    const bool goes_on = work.waits == words::DeckHindrance::none && work.left > 0;
+    to.deck_work(goes_on ? static_cast<DeckWork>(work.set) : DECK_WORK_NONE);
+
     to.cable_speed_seen(in_steps(windlass.cable_speed, kSpeedSeenStep));
     to.gypsy_turn(windlass.gypsy_turn);
     to.gypsy_jumping(windlass.gypsy_jumping);

@@ -30,6 +30,11 @@ const still = (url: string, path?: string) => {
 };
 
 const look = (url: string, more: PageOptions = {}) => openPage(url, { viewport: kSize, ...more });
+/** The bridge's camera on the forecastle, as large as the page has it. */
+const byCamera = async (page: TestPage) => {
+  await page.getByRole("button", { name: "Look out" }).click();
+  await page.getByRole("button", { name: "CCTV" }).click();
+};
 
 /**
  * Takes the picture NAME (a JPEG where it is called so, else NAME.png) of a page, or of one opened at an address, that
@@ -45,6 +50,8 @@ async function picture(
   await sleep(kDrawn / 2);
   await work(page);
   await sleep(kDrawn);
+  const old = page.getByText("not heard", { exact: true }); // on a machine that is busy otherwise
+  await eventually("what is shown is not old", async () => !(await old.isVisible()));
   const file = name.endsWith(".jpg") ? name : `${name}.png`;
   await mkdir(dirname(join(output, file)), { recursive: true });
   await page.screenshot({ path: join(output, file), ...(file === name ? { type: "jpeg", quality: 82 } : {}) });
@@ -116,10 +123,7 @@ await session(["bridge", "bridge_cctv.jpg", "instructor", "forecastle_night"], a
     await page.getByRole("button", { name: /^Anchor ball/ }).click();
     await page.getByRole("button", { name: "Fit" }).click();
   });
-  await picture(still(conning.url, "/bridge"), "bridge_cctv.jpg", async (page) => {
-    await page.getByRole("button", { name: "Look out" }).click();
-    await page.getByRole("button", { name: "CCTV" }).click();
-  });
+  await picture(still(conning.url, "/bridge"), "bridge_cctv.jpg", byCamera);
   await rig.say("environment", "--time-of-day", "23:10", "--visibility", "1200", "--wind-speed", "14");
   await picture(still((await rig.station("forecastle")).url), "forecastle_night");
 });
@@ -168,7 +172,7 @@ const weathers: Record<string, string[]> = {
   fog: ["--time-of-day", "08:00", "--visibility", "250", "--wind-speed", "3"],
   gale: ["--time-of-day", "15:00", "--visibility", "3700", "--wind-speed", "20", "--fetch", "60000"],
 };
-const kViews = ["stand", "bow", "bridge"];
+const kViews = ["stand", "bow", "bridge", "cctv"];
 const kSettles = 60; // s of the exercise, in which she takes the weather
 
 for (const [weather, says] of Object.entries(weathers)) {
@@ -192,6 +196,7 @@ for (const [weather, says] of Object.entries(weathers)) {
     await picture(await byACard(station.url, "/bridge"), name("bridge"), (page) =>
       page.getByRole("button", { name: "Look out" }).click(),
     );
+    await picture(await byACard(station.url, "/bridge"), name("cctv"), byCamera);
   });
 }
 
@@ -234,7 +239,10 @@ async function inDeepWater(depth: number, work: (file: string) => Promise<void>)
 
 /** A page without its picture, whose levers may be moved. */
 async function handAtTheStand(station: Station) {
-  const hand = await openPage(station.url.replace("#", "?picture=off#"));
+  const address = new URL(station.url);
+  address.pathname = "/forecastle";
+  address.search = "?picture=off";
+  const hand = await openPage(address.href);
   await eventually("the levers may be moved", () => hand.getByRole("switch", { name: "clutch" }).isEnabled());
   return hand;
 }
@@ -245,16 +253,20 @@ const atTheStand = (page: TestPage) =>
     return { speed: view.cable_speed_indicated, out: view.cable_out_indicated, lining: view.lining };
   });
 
-const danger = (what: string) => ["stand", "bow", "brake"].map((place) => `views/${what}_${place}.jpg`);
+const kOnDeck = ["stand", "bow", "brake"]; // by their keys
+const danger = (what: string) => [...kOnDeck, "cctv"].map((place) => `views/${what}_${place}.jpg`);
 async function pictureDanger(what: string, station: Station) {
-  for (const [k, name] of danger(what).entries())
-    await picture(await byACard(station.url, "/forecastle"), name, (page) => page.keyboard.press(`${k + 1}`));
+  for (const [k, place] of kOnDeck.entries())
+    await picture(await byACard(station.url, "/forecastle"), `views/${what}_${place}.jpg`, (page) =>
+      page.keyboard.press(`${k + 1}`),
+    );
+  await picture(await byACard(station.url, "/bridge"), `views/${what}_cctv.jpg`, byCamera);
 }
 
 await session(danger("runaway"), (rig) =>
   inDeepWater(120, async (file) => {
     rig.server(file);
-    const station = await rig.station("forecastle");
+    const station = await rig.station("ship");
     const hand = await handAtTheStand(station);
     await eventually("it runs away", async () => {
       const { speed } = await atTheStand(hand);
@@ -270,7 +282,7 @@ await session(danger("runaway"), (rig) =>
 await session(danger("burnt"), (rig) =>
   inDeepWater(200, async (file) => {
     rig.server(file);
-    const station = await rig.station("forecastle");
+    const station = await rig.station("ship");
     const hand = await handAtTheStand(station);
     const kRidden = 4.5; // m/s
     let last = 0;

@@ -397,6 +397,21 @@ TEST(Secrecy, CameraSmellsNothing) {
     EXPECT_EQ(camera(s).lining(), LINING_SMOKES);
 }
 
+TEST(Secrecy, CameraShowsMenAtWorkAndNotWhatOthersWaitForNorHowLong) {
+    using enum words::DeckHindrance;
+    const auto at = [](const exercise::DeckWorkView& work) {
+        Snapshot s = riding();
+        s.tackle[0].deck_work = work;
+        return camera(s);
+    };
+    const auto broken = exercise::DeckWork::break_cable;
+    EXPECT_EQ(at({broken, 411.2, none}).deck_work(), DECK_WORK_BREAK_CABLE);
+    EXPECT_EQ(bytes(at({broken, 411.2, none})), bytes(at({broken, 20, none})));
+    for (const exercise::DeckWorkView& idle :
+         {exercise::DeckWorkView{broken, 411.2, stopper_off}, exercise::DeckWorkView{broken, 0, none}})
+        EXPECT_EQ(bytes(at(idle)), bytes(camera(riding())));
+}
+
 TEST(Secrecy, CameraTellsNoPlaceByItsMarks) {
     const ForecastleView picture = camera(riding());
     ASSERT_FALSE(picture.marks().empty()); // the sixth is on deck

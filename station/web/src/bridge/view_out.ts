@@ -1,5 +1,6 @@
 // Out of the bridge's windows, and the camera on the forecastle.
 
+import { Cry } from "../kit/cry";
 import { h, setAttribute, setShown, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { type Page, everyFrame } from "../kit/page";
@@ -20,8 +21,8 @@ export class ViewOut {
   private canvas = drawnOn();
   private readonly message = h("p", { class: "no-picture" }, t("Waiting for the ship …"));
   private readonly buttons: Record<Picture, HTMLButtonElement>;
-  private readonly out = new LookingOut();
-  private readonly camera = new CameraPicture(this.out);
+  private readonly camera = new CameraPicture(new LookingOut());
+  private readonly cry: Cry;
   private readonly pelorus: Pelorus;
   private scene: ShipScene | undefined;
   private wanted: SceneDescription | undefined; // what is to be shown
@@ -53,6 +54,7 @@ export class ViewOut {
       ),
       this.pelorus.element,
     );
+    this.cry = new Cry(page.link);
     page.link.on("SceneDescription", (description) => (this.wanted = description));
     page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
     page.link.on("Landmarks", (landmarks) => this.scene?.setLandmarks(landmarks));
@@ -106,11 +108,13 @@ export class ViewOut {
     if (this.wanted && this.wanted.definition_hash !== this.drawn) void this.build(this.wanted);
     if (!this.scene) return;
     const dead = this.picture === "cctv" && link.latest("BridgeView")?.cctv_works === false;
-    const frame = dead ? undefined : this.picture === "cctv" ? this.camera.frame(link, now) : this.out.frame(link, now);
+    const frame = dead ? undefined : this.camera.frame(link, now);
     this.pelorus.show(this.scene.turned, link.latest("BridgeView"));
     setShown(this.canvas, !dead);
     setShown(this.message, dead);
     if (dead) setText(this.message, `\u26a0 ${t("No picture")}`);
-    if (frame) this.scene.draw(frame);
+    if (!frame) return;
+    if (this.camera.worked.side !== undefined) this.scene.setSide(this.camera.worked.side);
+    this.scene.draw({ ...frame, cried: this.cry.time });
   }
 }

@@ -4,7 +4,7 @@ import { showsTopic } from "../kit/live";
 import { everyFrame, type Page } from "../kit/page";
 import { h, setAttribute } from "../kit/dom";
 import { onPalette } from "../kit/palette";
-import { Cry } from "./cry";
+import { Cry } from "../kit/cry";
 import { frameOfSeat } from "../scene/from_seat";
 import { type CameraName, ShipScene } from "../scene/ship_scene";
 import type { SceneDescription } from "../wire/generated";

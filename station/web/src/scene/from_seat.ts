@@ -146,7 +146,7 @@ export function tackleSeen(
     jumping: to.gypsy_jumping,
     motor_speed: to.motor_speed_heard,
     ...(to.leads ? { lead: (to.lead_clock * Math.PI) / 6 } : {}),
-    ...(topic === "ForecastleView" ? { men: menSeen(to) } : {}), // the camera's has nothing of them
+    men: topic === "ForecastleView" ? menSeen(to) : { work: to.deck_work, goes: true }, // the camera's: of men at it
   };
 }
 

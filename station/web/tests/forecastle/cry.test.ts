@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { Cry, isStandClear } from "../../src/forecastle/cry";
+import { Cry, isStandClear } from "../../src/kit/cry";
 import { bareReport, orderText, reportText } from "../../src/kit/words";
 import { BridgeOrderCode, ReportCode, type SeatEvent } from "../../src/wire/generated";
 

@@ -38,10 +38,10 @@ const fromCable = ([x, y]: readonly [number, number]): number =>
     }),
   );
 
-test("where nothing is heard of the men, as by the bridge's camera, nobody is drawn", () => {
+test("where nothing is heard of the men, as when the bridge's camera has failed, nobody is drawn", () => {
   assert.deepEqual(stations.places({ tackle: [undefined, undefined], side: 0, back: false }), []);
-  const { men: _, ...camera } = seen[0]!;
-  assert.deepEqual(stations.places({ tackle: [camera, undefined], side: 0, back: false }), []);
+  const { men: _, ...unseen } = seen[0]!;
+  assert.deepEqual(stations.places({ tackle: [unseen, undefined], side: 0, back: false }), []);
 });
 
 test("a lookout at the rail ahead of the pipe looks out; the fitter is by the stopper of a cable that is held", () => {
