@@ -33,8 +33,19 @@ const kSmoke: Puff = {
   alpha: 0.4,
 };
 const kBlack: Puff = { life: 4, size: 0.2, grows: 0.75, lift: 1.3, drag: 0.8, r: 0.08, g: 0.08, b: 0.09, alpha: 0.5 };
-const kFlame: Puff = { life: 0.55, size: 0.22, grows: -0.2, lift: 4, drag: 1, r: 1.5, g: 0.42, b: 0.05, alpha: 0.6 };
-const kSpark: Puff = { life: 0.7, size: 0.014, grows: 0, lift: -8, drag: 0.2, r: 3, g: 1.1, b: 0.16, alpha: 1 };
+const kFlame: Puff = { life: 0.5, size: 0.2, grows: -0.2, lift: 4, drag: 1, r: 1, g: 0.3, b: 0.02, alpha: 0.6 };
+const kSpark: Puff = {
+  life: 0.7,
+  size: 0.012,
+  grows: 0,
+  lift: -8,
+  drag: 0.2,
+  r: 1,
+  g: 0.62,
+  b: 0.14,
+  alpha: 1,
+  trail: 0.04,
+};
 
 const kRunsAway = 5.5; // m/s
 

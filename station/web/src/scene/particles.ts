@@ -1,18 +1,20 @@
 // Dust, splash, mud, smoke, flames, sparks: sprites in two draws, one that covers and one that shines.
 
 import {
-  AdditiveBlending,
+  CustomBlending,
   DynamicDrawUsage,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
   BufferAttribute,
   Mesh,
-  NormalBlending,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
   ShaderMaterial,
   type Vector3,
 } from "three";
 
 const kMost = 400;
+const kHides = 0.7; // of what is behind a flame: without, it would be white over bright steel
 
 /** How a kind of particle is born and dies: s, m, m/s. */
 export interface Puff {
@@ -26,6 +28,8 @@ export interface Puff {
   g: number;
   b: number;
   alpha: number;
+  /** s of its way that are seen behind it; left out: none. */
+  trail?: number;
 }
 
 export class Particles {
@@ -38,6 +42,7 @@ export class Particles {
   private readonly born: (Puff | undefined)[] = Array.from({ length: kMost });
   private readonly shownPlace = new InstancedBufferAttribute(new Float32Array(4 * kMost), 4);
   private readonly shownPaint = new InstancedBufferAttribute(new Float32Array(4 * kMost), 4);
+  private readonly shownTrail = new InstancedBufferAttribute(new Float32Array(3 * kMost), 3);
   private readonly shownSeed = new InstancedBufferAttribute(new Float32Array(kMost), 1);
   private next = 0;
 
@@ -50,9 +55,11 @@ export class Particles {
     geometry.setIndex([0, 1, 2, 0, 2, 3]);
     this.shownPlace.setUsage(DynamicDrawUsage);
     this.shownPaint.setUsage(DynamicDrawUsage);
+    this.shownTrail.setUsage(DynamicDrawUsage);
     this.shownSeed.setUsage(DynamicDrawUsage);
     geometry.setAttribute("place", this.shownPlace);
     geometry.setAttribute("paint", this.shownPaint);
+    geometry.setAttribute("trail", this.shownTrail);
     geometry.setAttribute("seed", this.shownSeed);
     geometry.instanceCount = 0;
     this.mesh = new Mesh(
@@ -62,6 +69,7 @@ export class Particles {
         vertexShader: `
 attribute vec4 place;
 attribute vec4 paint;
+attribute vec3 trail; // m that it came
 attribute float seed;
 varying vec2 vAt;
 varying vec2 vShape;
@@ -73,7 +81,10 @@ void main() {
   vShape = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * position.xy * 1.7 + 37.0 * seed;
   vPaint = paint;
   vec4 p = viewMatrix * vec4(place.xyz, 1.0);
-  p.xy += position.xy * place.w;
+  vec2 came = (mat3(viewMatrix) * trail).xy;
+  float far = length(came);
+  vec2 on = far > 0.0 ? came / far : vec2(1.0, 0.0);
+  p.xy += (position.x * place.w - (position.x < 0.0 ? far : 0.0)) * on + position.y * place.w * vec2(-on.y, on.x);
   vDeep = -p.z;
   gl_Position = projectionMatrix * p;
 }`,
@@ -98,12 +109,13 @@ void main() {
   float clear = exp(-pow(fogDensity * vDeep, 2.0));
   float close = smoothstep(0.2, 1.2, vDeep);
   gl_FragColor = vec4(vPaint.rgb * light, vPaint.a * soft * clear * close);
-  #include <tonemapping_fragment>
+  ${shines ? "" : "#include <tonemapping_fragment>"}
   #include <colorspace_fragment>
+  ${shines ? `gl_FragColor *= vec4(vec3(gl_FragColor.a), ${kHides.toFixed(2)});` : ""}
 }`,
         transparent: true,
         depthWrite: false,
-        blending: shines ? AdditiveBlending : NormalBlending,
+        ...(shines ? { blending: CustomBlending, blendSrc: OneFactor, blendDst: OneMinusSrcAlphaFactor } : {}),
       }),
     );
     this.mesh.frustumCulled = false;
@@ -146,6 +158,7 @@ void main() {
       for (let k = 0; k < 3; ++k) {
         place[4 * n + k] = this.place[p + k]!;
         paint[4 * n + k] = this.paint[p + k]!;
+        this.shownTrail.array[3 * n + k] = this.speed[s + k]! * (puff.trail ?? 0);
       }
       place[4 * n + 3] = puff.size + puff.grows * age;
       this.shownSeed.array[n] = this.seed[i]!;
@@ -155,7 +168,7 @@ void main() {
     this.mesh.visible = n > 0;
     this.mesh.geometry.instanceCount = n;
     if (n === 0) return;
-    for (const attribute of [this.shownPlace, this.shownPaint, this.shownSeed]) {
+    for (const attribute of [this.shownPlace, this.shownPaint, this.shownTrail, this.shownSeed]) {
       attribute.clearUpdateRanges();
       attribute.addUpdateRange(0, attribute.itemSize * n);
       attribute.needsUpdate = true;
