@@ -12,6 +12,9 @@ import type { Rig } from "./rig";
 import { Solid } from "./solid";
 import { type V3, add, along, scale, unit } from "./vec";
 
+const kCoaming = 0x8d5242;
+const kCover = 0x8f938a;
+
 export interface Deck {
   group: Group;
   mast: Foremast;
@@ -44,9 +47,10 @@ export function deckGear(
   const whole = raised(edge, 0);
   const main = [...whole.filter((p) => p[0] < foc), ...aheadOf(whole, foc).slice(0, 1)];
   const solid = new Solid();
+  const abaft = new Solid(); // apart, so that nothing of it is drawn where one looks ahead from the forecastle
 
   deckPlate(solid, line, deck, kPaint.deck);
-  deckPlate(solid, main, top + 0.01, kPaint.deckMain);
+  deckPlate(abaft, main, top + 0.01, kPaint.deckMain);
   breakOfForecastle(solid, line[0]!, top, deck);
   for (const side of [1, -1]) bulwark(solid, side > 0 ? line : mirrored(line), side > 0 ? rail : mirrored(rail), side);
   const stem = line.at(-1)!;
@@ -57,14 +61,13 @@ export function deckGear(
   for (const r of rigs) onDeck(solid, r, deck);
   ventilators(solid, foc, deck, line);
   walkway(solid, deck, foc);
-  const house = aft(solid, scene, top, foc);
+  const house = aft(abaft, scene, top, foc);
+  guardRails(abaft, main, top);
 
-  const mesh = new Mesh(
-    solid.build(),
-    materials.make({ vertexColors: true, roughness: 0.8, side: DoubleSide }, weathered(noise, 0.16)),
-  );
-  mesh.name = "deck";
-  group.add(mesh, contactShade(shades(rigs, line, deck, foc)));
+  const paint = materials.make({ vertexColors: true, roughness: 0.8, side: DoubleSide }, weathered(noise, 0.16));
+  const meshes = [solid, abaft].map((each) => new Mesh(each.build(), paint));
+  meshes[0]!.name = "deck";
+  group.add(...meshes, contactShade(shades(rigs, line, deck, foc)));
   const warm: V3 = [1, 0.82, 0.55];
   const halos = [
     ...mast.lamps.map((at): Lamp => ({ at: along(at, 0.12, [1, 0, 0]), size: 2.6, colour: warm })),
@@ -225,6 +228,63 @@ function ventilators(solid: Solid, foc: number, deck: number, line: readonly V3[
   }
 }
 
+const kStays = 2.4; // m between a coaming's stays
+
+/** A hatch, so long and wide, m: its coaming with stays, and on it two covers that roll to the sides. */
+function hatch(solid: Solid, [x, , top]: V3, long: number, wide: number): void {
+  const coaming = top + 1.6;
+  solid.box([x, 0, top + 0.8], [long, wide, 1.6], kCoaming);
+  solid.box([x, 0, coaming - 0.06], [long + 0.5, wide + 0.5, 0.12], kCoaming);
+  const stays = Math.floor(long / kStays);
+  for (let i = 0; i <= stays; ++i)
+    for (const side of [1, -1])
+      solid.box(
+        [x + (i / stays - 0.5) * (long - 0.4), side * (0.5 * wide + 0.2), top + 0.75],
+        [0.1, 0.5, 1.5],
+        kCoaming,
+      );
+  for (const side of [1, -1]) {
+    const y = side * (0.25 * wide + 0.1);
+    solid.box([x, y, coaming + 0.35], [long + 0.6, 0.5 * wide + 0.1, 0.62], kCover);
+    // stiffeners across, and the wheels' boxes at the corners
+    for (let i = 0; i < 4; ++i)
+      solid.box([x + (i / 3 - 0.5) * (long - 1), y, coaming + 0.7], [0.22, 0.5 * wide - 0.2, 0.1], kCover);
+    for (const end of [1, -1])
+      solid.box(
+        [x + end * (0.5 * long + 0.15), side * (0.5 * wide + 0.25), coaming + 0.2],
+        [0.7, 0.35, 0.5],
+        kPaint.black,
+      );
+  }
+}
+
+/** What stands between two hatches: a house for the winches' and hatches' oil, ventilators, the rails of the covers. */
+function between(solid: Solid, [x, , top]: V3, wide: number): void {
+  solid.box([x, 0, top + 1.2], [1.7, 2.6, 2.4], kPaint.white);
+  solid.box([x - 0.87, 0.5, top + 1.05], [0.04, 0.75, 1.8], kPaint.machineryDark);
+  for (const side of [1, -1]) {
+    const y = side * 0.36 * wide;
+    solid.bar([x, y, top], [x, y, top + 1.5], 0.3, kPaint.white, 10);
+    solid.bar([x, y, top + 1.5], [x, y, top + 1.8], 0.5, kPaint.white, 10);
+  }
+}
+
+const kPosts = 3; // m between a rail's posts
+
+/** Along both edges of the main deck. */
+function guardRails(solid: Solid, edge: readonly V3[], top: number): void {
+  const line = evenly(edge, Math.max(2, Math.round(edge.length > 1 ? (edge.at(-1)![0] - edge[0]![0]) / kPosts : 2)));
+  const at = ([x, y]: V3, side: number, up: number): V3 => [x, side * (y - 0.15), top + up];
+  for (const side of [1, -1])
+    line.forEach((p, i) => {
+      if (p[1] < 1) return;
+      solid.bar(at(p, side, 0), at(p, side, 1.1), 0.035, kPaint.white, 4);
+      const before = line[i - 1];
+      if (!before || before[1] < 1) return;
+      for (const up of [0.4, 0.75, 1.1]) solid.bar(at(before, side, up), at(p, side, up), 0.025, kPaint.white, 4);
+    });
+}
+
 /** Hatches and the house; returns the places of its lamps. */
 function aft(solid: Solid, scene: SceneDescription, top: number, foc: number): V3[] {
   const length = scene.length_overall;
@@ -237,8 +297,8 @@ function aft(solid: Solid, scene: SceneDescription, top: number, foc: number): V
   for (let k = 0; k < hatches; ++k) {
     const x = houseEnd + 4 + (k + 0.5) * pitch;
     const width = Math.min(half * 1.15, 2 * half - 8);
-    solid.box([x, 0, top + 0.8], [0.72 * pitch, width, 1.6], kPaint.deckMain);
-    solid.box([x, 0, top + 1.75], [0.76 * pitch, width + 0.4, 0.5], 0x8a4a3b);
+    hatch(solid, [x, 0, top], 0.72 * pitch, width);
+    if (k > 0) between(solid, [x - 0.5 * pitch, 0, top], width);
   }
   const wide = 2 * half - 1.5;
   const decks = 5;

@@ -1,6 +1,6 @@
 // The hull: the server's own mesh, painted by height, with a strake up to the rail.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, type Texture, type Vector4 } from "three";
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, type Texture, Vector2, type Vector4 } from "three";
 import type { SceneDescription } from "../wire/generated";
 import { kBulwark, portEdge, raised } from "./hull_outline";
 import { type Materials, type Pattern, kPaint } from "./materials";
@@ -21,25 +21,35 @@ export function hullMesh(
   foc: number,
   deck: number,
 ): Mesh {
-  const material = materials.make({ roughness: 0.55, metalness: 0, side: DoubleSide }, hullPaint(noise, water));
+  const pipe = scene.tackle[0]?.mouth ?? { x: 0, z: -99 };
+  const paint = hullPaint(noise, water, new Vector2(pipe.x, pipe.z));
+  const material = materials.make({ roughness: 0.55, metalness: 0, side: DoubleSide }, paint);
   const mesh = new Mesh(withStrake(scene, foc, deck), material);
   mesh.name = "hull";
   return mesh;
 }
 
-const hullPaint = (noise: Texture, water: { value: Vector4 }): Pattern => ({
+/** pipe: m, x and z of the hawse pipes' mouths. */
+const hullPaint = (noise: Texture, water: { value: Vector4 }, pipe: Vector2): Pattern => ({
   name: "hull",
   uniforms: {
     hullWorn: { value: noise },
     hullBottom: { value: new Color(kPaint.antifouling) },
     hullSide: { value: new Color(kPaint.topsides) },
     hullWater: water,
+    hullPipe: { value: pipe },
   },
   glsl: `
 uniform sampler2D hullWorn;
 uniform vec3 hullBottom;
 uniform vec3 hullSide;
 uniform vec4 hullWater;
+uniform vec2 hullPipe;
+// 1 on a line of a lattice that is so wide, m; fainter where a pixel has more than the line
+float seam(float at, float pitch) {
+  float wide = 0.014 + fwidth(at);
+  return 0.014 / wide * smoothstep(wide, 0.5 * wide, abs(fract(at / pitch + 0.5) - 0.5) * pitch);
+}
 vec3 paint(vec3 colour, vec3 p) {
   float edge = clamp((p.z - ${kBootTop.toFixed(2)}) * 16.0 + 0.5, 0.0, 1.0);
   vec3 c = mix(hullBottom, hullSide, edge) * colour;
@@ -47,6 +57,14 @@ vec3 paint(vec3 colour, vec3 p) {
   float streak = texture2D(hullWorn, vec2(p.x * 0.071 + p.y * 0.03, p.z * 0.009)).r;
   c *= 0.7 + 0.6 * streak;
   c = mix(c, vec3(0.2, 0.095, 0.05), 0.5 * smoothstep(0.6, 0.8, streak) * clamp((p.z - 0.5) * 0.2, 0.0, 1.0));
+  // strakes and butts, these by turns
+  c *= 1.0 - 0.4 * max(seam(p.z, 2.3), seam(p.x + 3.1 * mod(floor(p.z / 2.3 + 0.5), 2.0), 8.4));
+  // rust and mud that run down from the hawse pipe, and paint that its cable has scraped off there
+  float below = hullPipe.y - p.z;
+  float wide = 1.1 + 0.1 * below;
+  float runs = texture2D(hullWorn, vec2(p.x * 0.9, p.z * 0.045)).r;
+  float under = smoothstep(wide, 0.3 * wide, abs(p.x - hullPipe.x)) * smoothstep(-0.6, 0.4, below);
+  c = mix(c, vec3(0.19, 0.085, 0.04), under * smoothstep(0.3, 0.75, runs) * exp2(-0.16 * max(below, 0.0)));
   c = mix(c, vec3(0.07, 0.09, 0.05), 0.4 * clamp(1.0 - 2.0 * abs(p.z - 0.1), 0.0, 1.0));
   return c;
 }

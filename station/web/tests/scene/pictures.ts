@@ -41,6 +41,8 @@ const kPictures: Record<string, Show> = {
   water: { instant: "brought_up", camera: "water" },
   landed: { instant: "landed", camera: "water" },
   free: { instant: "two_shackles", camera: "free" },
+  bridge: { instant: "two_shackles", camera: "bridge" },
+  cctv: { instant: "two_shackles", camera: "cctv" },
   loads: { instant: "brought_up", camera: "outside", loads: true },
   fire: { instant: "running", camera: "brake", tackle: { lining: 4, brake: 0.8, brake_noise: 3 } },
   smoke: { instant: "running", camera: "stand", tackle: { lining: 3, brake: 0.8 } },
