@@ -2,8 +2,8 @@
 
 import type { Connection } from "../wire/connection";
 import type { SeatEvent } from "../wire/generated";
-import { begins } from "./branch";
-import { bareReport, orderText, placeOf, reportText } from "./words";
+import { begins } from "../kit/branch";
+import { bareReport, orderText, placeOf, reportText } from "../kit/words";
 
 /** Whether a line of the log says so of any cable. */
 export function isStandClear({ code, side, text }: Pick<SeatEvent, "code" | "side" | "text">): boolean {
