@@ -109,8 +109,9 @@ void main() {
     vec3 lit = horizonColour(dir) * through + sunColour * sunStrength * (0.1 + 0.06 * max(near, 0.0));
     c = mix(c, lit, mix(0.62, 0.95, overcast) * cover);
     if (dark > 0.2) {
-      float star = texture2D(noise, dir.xy * 5.0 / (1.0 + dir.z)).g;
-      c += vec3(0.8, 0.85, 1.0) * dark * dark * clear * (1.0 - cover) * smoothstep(0.965, 1.0, star) * 0.7;
+      vec2 star = texture2D(noise, dir.xy * 2.5 / (1.0 + dir.z)).ga; // few are bright, many are faint
+      float bright = star.y * star.y * star.y * smoothstep(0.55, 0.9, star.x);
+      c += vec3(0.8, 0.85, 1.0) * dark * dark * clear * (1.0 - cover) * bright * star.y * star.y * star.y;
     }
   }
   // haze lies low

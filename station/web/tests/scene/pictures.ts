@@ -54,6 +54,7 @@ const kPictures: Record<string, Show> = {
     sea: sea(2.5, 9, 0.3),
   },
   night: { instant: "long_stay", camera: "outside", frame: { time_of_day: 23 * 3600 } },
+  bridge_night: { instant: "two_shackles", camera: "bridge", frame: { time_of_day: 23 * 3600 } },
   swell: { instant: "long_stay", camera: "stand", sea: sea(3, 9, 0.2), frame: { wind_speed: 15 } },
   seat_bow: { instant: "long_stay", camera: "bow", seat: true },
   seat_stand: { instant: "two_shackles", camera: "stand", seat: true },
