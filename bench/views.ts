@@ -18,21 +18,27 @@ const bins = given.length ? given.map((bin) => resolve(bin)) : [join(root, "buil
 const kSettles = 8000; // ms, until the scene is drawn and the watch over its quality has come to rest
 const kMeasured = 8000; // ms
 
-/** kB, gzipped, of a page: its script with all that this imports at once, its style. */
-function loads(bin: string, page: string): string {
+/**
+ * 1024 B, gzipped, of a page: its script with all that this imports at once, its style. whole: also its scene where that
+ * comes later, and the style and fonts that all pages have.
+ */
+function loads(bin: string, page: string, whole: boolean): string {
   const folder = join(bin, "web/assets");
+  const files = readdirSync(folder);
   const seen = new Set<string>();
   const take = (file: string): void => {
     if (seen.has(file)) return;
     seen.add(file);
     const text = readFileSync(join(folder, file), "utf8");
     for (const [, other] of text.matchAll(/(?:import|from)\s*"\.\/([\w.-]+\.js)"/g)) take(other);
+    const later = /import\(\s*"\.\/((?:scene_view|ship_scene)-[\w.-]+\.js)"/g;
+    if (whole) for (const [, other] of text.matchAll(later)) take(other);
   };
   take(`${page}.js`);
-  const size = (file: string): number => statSync(join(folder, `${file}.gz`)).size;
-  const script = [...seen].reduce((sum, file) => sum + size(file), 0);
-  const style = readdirSync(folder).includes(`${page}.css`) ? size(`${page}.css`) : 0;
-  return `${((script + style) / 1024).toFixed(1)} kB`;
+  const own = files.filter((file) => file === `${page}.css` || (whole && /^kit\.css$|\.woff2$/.test(file)));
+  const size = (file: string): number =>
+    statSync(join(folder, files.includes(`${file}.gz`) ? `${file}.gz` : file)).size;
+  return `${([...seen, ...own].reduce((sum, file) => sum + size(file), 0) / 1024).toFixed(1)} kB`;
 }
 
 const median = (values: number[]): number => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
@@ -105,7 +111,10 @@ await closeBrowser();
 console.log(`load of the machine at the end: ${loadavg()[0].toFixed(1)}`);
 for (const bin of bins) {
   console.log(bin);
-  for (const page of ["forecastle", "bridge", "instructor"]) console.log(`  ${page}: ${loads(bin, page)} gzipped`);
+  for (const page of ["forecastle", "bridge", "instructor"]) {
+    const [atOnce, inAll] = [loads(bin, page, false), loads(bin, page, true)];
+    console.log(`  ${page}: ${atOnce} gzipped, ${inAll} with scene, common style and fonts`);
+  }
   for (const [figure, of] of found) {
     const values = of.get(bin) ?? [];
     console.log(`  ${figure}: ${median(values).toFixed(1)} (${values.map((v) => v.toFixed(1)).join(", ")})`);
