@@ -294,6 +294,7 @@ for (const { name, grips, windlass } of laws) {
         },
       });
       await eventually("the levers may be moved", () => page.getByRole("switch", { name: "clutch" }).isEnabled());
+      await eventually("the windlass is seen", () => look(page));
       const came = await fall(page, device, learnt, normal(seed + 1));
       if (seed > 0) falls.push(came);
       await closePage(page);
