@@ -54,7 +54,7 @@ async function picture(
   await eventually("what is shown is not old", async () => !(await old.isVisible()));
   const file = name.endsWith(".jpg") ? name : `${name}.png`;
   await mkdir(dirname(join(output, file)), { recursive: true });
-  await page.screenshot({ path: join(output, file), ...(file === name ? { type: "jpeg", quality: 82 } : {}) });
+  await page.screenshot({ path: join(output, file), ...(file === name ? { type: "jpeg", quality: 72 } : {}) });
   if (page.problems.length) console.log(`${name}: ${page.problems.join("; ")}`);
   await closePage(page);
   console.log(file);
