@@ -196,11 +196,12 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
     const Late lateness = late(server.text().substr(said));
     fmt::print(
         "| {} | {:.1f} % | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} "
-        "% | {:.1f} | {:.0f} |",
+        "% | {:.1f} | {:.0f} | {:.1f} |",
         count, 100 * cpu, 1000 * cpu / count, per_exercise("tick"), per_exercise("publish"),
         per_exercise("dds"), lateness.half, lateness.most, lateness.all, after.slowest,
         100 * static_cast<double>(after.overruns - before.overruns) / ticks, heard,
-        static_cast<double>(listener.samples() - samples) / elapsed / count);
+        static_cast<double>(listener.samples() - samples) / elapsed / count,
+        bench::memory_of(server.pid()) / count);
     if (options.predict)
         fmt::print(" {:.1f} | {:.2f} |", per_exercise("lookout"),
                    static_cast<double>(listener.predictions() - predictions) / elapsed / count);
@@ -254,7 +255,7 @@ int main(int argc, char** argv) {
         } else {
             fmt::print("| exercises | server's CPU, of a core | ms/s each | ticks | publishing | DDS | half "
                        "late, ms | 99 % | all | slowest, x real time | overruns | heard after, s | samples/s "
-                       "each |{}\n|---|---|---|---|---|---|---|---|---|---|---|---|---|{}\n",
+                       "each | MB each |{}\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|{}\n",
                        options.predict ? " ahead, ms/s each | predictions/s each |" : "",
                        options.predict ? "---|---|" : "");
             for (const int count : options.exercises)

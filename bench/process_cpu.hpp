@@ -25,6 +25,16 @@ inline double cpu_of(pid_t pid) {
     return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
+/// Memory of a process that is its own and there, in no file, MB.
+inline double memory_of(pid_t pid) {
+    std::ifstream file("/proc/" + std::to_string(pid) + "/status");
+    double kilobytes = 0;
+    for (std::string word; file >> word && word != "RssAnon:";) {
+    }
+    file >> kilobytes;
+    return kilobytes / 1024;
+}
+
 /// Processor time so far of the threads of a process that have one name, s, by name. Threads that have ended
 /// are not among them.
 inline std::map<std::string, double> cpu_by_thread(pid_t pid) {

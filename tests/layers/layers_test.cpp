@@ -93,7 +93,7 @@ const std::vector<Room>& rooms() {
         {"server/workers", {"windlass::workers"}, {}},
         {"server",
          {"windlass::server"},
-         {"common", "idl", "server/config", exercise + "...", "server/host", "server/keep",
+         {"common", "idl", "server/config", exercise + "...", "server/host", "server/keep", "server/run",
           "server/workers"}},
         {"station", {"windlass::station"}, {"idl", "words"}},
         {"station/gateway", {"windlass::gateway"}, {"common", "idl", "station", "words"}},
