@@ -93,12 +93,9 @@ void print(const lesson::Played& played, bool told) {
 
 int run(const LessonOptions& options) {
     const LessonFile file = read_lesson_file(options.files.front());
-    std::vector<fs::path> scripts = options.scripts;
-    if (scripts.empty())
-        for (const std::string& script : file.lesson.model_run.scripts)
-            scripts.push_back(file.root / script);
-    print(lesson::play(wanted(file, options), load_scripts(scripts), {}, lesson::luck(options.seed - 1)),
-          options.told);
+    const auto scripts =
+        options.scripts.empty() ? scripts_of(file, file.lesson.model_run) : load_scripts(options.scripts);
+    print(lesson::play(wanted(file, options), scripts, {}, lesson::luck(options.seed - 1)), options.told);
     return station::kOk;
 }
 
@@ -211,10 +208,8 @@ ByChance play_again(const LessonFile& file, const assess::LessonRun& run,
 /// Generic hands, one line each: what the lesson made of it, and what it should.
 bool try_hands(const LessonFile& file, HandsTable& table) {
     bool all = true;
-    std::vector<fs::path> model;
-    for (const std::string& script : file.lesson.model_run.scripts)
-        model.push_back(file.root / script);
-    for (const lesson::Hand& hand : lesson::hands(file.lesson, load_scripts(model))) {
+    const auto model = scripts_of(file, file.lesson.model_run);
+    for (const lesson::Hand& hand : lesson::hands(file.lesson, model)) {
         const lesson::Played played = lesson::play(file.def, hand.parts);
         const std::string fault = lesson::fault_of(hand, played);
         all = all && fault.empty();
@@ -232,11 +227,9 @@ bool try_hands(const LessonFile& file, HandsTable& table) {
 int one_hand(const LessonOptions& options) {
     if (options.files.size() != 1) throw std::runtime_error("--hand: give one file of a lesson");
     const LessonFile file = read_lesson_file(options.files.front());
-    std::vector<fs::path> model;
-    for (const std::string& script : file.lesson.model_run.scripts)
-        model.push_back(file.root / script);
+    const auto model = scripts_of(file, file.lesson.model_run);
     std::string names;
-    for (const lesson::Hand& hand : lesson::hands(file.lesson, load_scripts(model))) {
+    for (const lesson::Hand& hand : lesson::hands(file.lesson, model)) {
         names += " " + hand.name;
         if (hand.name != options.hand) continue;
         print(lesson::play(file.def, hand.parts, {}, lesson::luck(options.seed - 1)), options.told);
@@ -276,11 +269,9 @@ int attempt(const LessonOptions& options) {
         runs.insert(runs.end(), file.lesson.errors.begin(), file.lesson.errors.end());
         if (!file.lesson.model_run.scripts.empty()) runs.insert(runs.begin(), file.lesson.model_run);
         for (const assess::LessonRun& one : runs) {
-            std::vector<fs::path> scripts;
-            for (const std::string& script : one.scripts)
-                scripts.push_back(file.root / script);
-            const lesson::Played played = lesson::play(wanted(file, options), load_scripts(scripts));
-            const ByChance by_chance = play_again(file, one, load_scripts(scripts), played, options.chances);
+            const auto scripts = scripts_of(file, one);
+            const lesson::Played played = lesson::play(wanted(file, options), scripts);
+            const ByChance by_chance = play_again(file, one, scripts, played, options.chances);
             const bool good = as_said(played, one.fails) && by_chance.musts.empty();
             all = all && good;
             std::cout << fmt::format("| {} | {} | {} | {}{} | {} | {} |\n", file.lesson.id,
@@ -301,16 +292,10 @@ int what_if(const LessonOptions& options) {
         << "| lesson | error | lost | what if | marks | branches | s |\n|---|---|---|---|---|---|---|\n";
     for (const fs::path& path : options.files.empty() ? lesson_files(options.folder) : options.files) {
         const LessonFile file = read_lesson_file(path);
-        const auto scripts_of = [&](const assess::LessonRun& run) {
-            std::vector<fs::path> scripts;
-            for (const std::string& script : run.scripts)
-                scripts.push_back(file.root / script);
-            return load_scripts(scripts);
-        };
-        const auto model = scripts_of(file.lesson.model_run);
+        const auto model = scripts_of(file, file.lesson.model_run);
         for (const assess::LessonRun& error : file.lesson.errors) {
             whatif::Attempt attempt;
-            lesson::play(file.def, scripts_of(error),
+            lesson::play(file.def, scripts_of(file, error),
                          [&](const run::Session& session) { whatif::put_down(attempt, session); });
             whatif::Trials trials(attempt, model);
             for (const std::string& code : whatif::lost_criteria(trials)) {

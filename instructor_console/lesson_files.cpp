@@ -34,6 +34,13 @@ std::vector<trainee::Script> load_scripts(const std::vector<fs::path>& files) {
     return scripts;
 }
 
+std::vector<trainee::Script> scripts_of(const LessonFile& file, const assess::LessonRun& run) {
+    std::vector<fs::path> scripts;
+    for (const std::string& script : run.scripts)
+        scripts.push_back(file.root / script);
+    return load_scripts(scripts);
+}
+
 void check_scripts(const LessonFile& file) {
     std::string faults;
     const auto try_all = [&](const assess::LessonRun& run, const std::string& at) {

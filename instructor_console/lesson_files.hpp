@@ -23,6 +23,9 @@ LessonFile read_lesson_file(const std::filesystem::path& file);
 /// As a trainee's seat plays them: what looks at the truth is refused. Throws exercise::ConfigError.
 std::vector<trainee::Script> load_scripts(const std::vector<std::filesystem::path>& files);
 
+/// Those of one of its runs. The same.
+std::vector<trainee::Script> scripts_of(const LessonFile& file, const assess::LessonRun& run);
+
 /// Reads every script that the lesson names. Throws exercise::ConfigError.
 void check_scripts(const LessonFile& file);
 

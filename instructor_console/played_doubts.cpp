@@ -12,13 +12,6 @@ namespace windlass::console {
 
 namespace {
 
-std::vector<trainee::Script> scripts_of(const LessonFile& file, const assess::LessonRun& run) {
-    std::vector<std::filesystem::path> scripts;
-    for (const std::string& script : run.scripts)
-        scripts.push_back(file.root / script);
-    return load_scripts(scripts);
-}
-
 void doubt_model_run(const LessonFile& file, const std::vector<trainee::Script>& model,
                      std::vector<std::string>& all) {
     const assess::Lesson& lesson = file.lesson;
