@@ -1,5 +1,7 @@
 #include "door/certificate.hpp"
 
+#include "common/freed_by.hpp"
+
 #include "door/private_file.hpp"
 
 #include <openssl/bio.h>
@@ -25,16 +27,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-template <auto free>
-struct Free {
-    template <class T>
-    void operator()(T* thing) const {
-        free(thing);
-    }
-};
-using Bio = std::unique_ptr<BIO, Free<BIO_free_all>>;
-using Key = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
-using Paper = std::unique_ptr<X509, Free<X509_free>>;
+using Bio = std::unique_ptr<BIO, FreedBy<BIO_free_all>>;
+using Key = std::unique_ptr<EVP_PKEY, FreedBy<EVP_PKEY_free>>;
+using Paper = std::unique_ptr<X509, FreedBy<X509_free>>;
 
 constexpr long kDay = 24 * 3600; // s
 constexpr long kAuthorityDays = 3650, kCertificateDays = 397;
@@ -123,7 +118,7 @@ Paper blank(EVP_PKEY* key, const std::string& name, long days) {
     std::array<unsigned char, 16> serial{};
     if (!paper || RAND_bytes(serial.data(), serial.size()) != 1) fail("cannot make a certificate");
     serial[0] &= 0x7F; // positive
-    const std::unique_ptr<BIGNUM, Free<BN_free>> number{BN_bin2bn(serial.data(), serial.size(), nullptr)};
+    const std::unique_ptr<BIGNUM, FreedBy<BN_free>> number{BN_bin2bn(serial.data(), serial.size(), nullptr)};
     BN_to_ASN1_INTEGER(number.get(), X509_get_serialNumber(paper.get()));
     X509_set_version(paper.get(), X509_VERSION_3);
     X509_gmtime_adj(X509_getm_notBefore(paper.get()), -3600);
@@ -167,7 +162,7 @@ std::string alternative(const std::string& name) {
 
 /// A certificate that has one name too many is good for none.
 bool may_vouch_for(X509* issuer, const std::string& name) {
-    const std::unique_ptr<NAME_CONSTRAINTS, Free<NAME_CONSTRAINTS_free>> limits{
+    const std::unique_ptr<NAME_CONSTRAINTS, FreedBy<NAME_CONSTRAINTS_free>> limits{
         static_cast<NAME_CONSTRAINTS*>(X509_get_ext_d2i(issuer, NID_name_constraints, nullptr, nullptr))};
     if (!limits) return true;
     const Paper paper{X509_new()};

@@ -1,5 +1,7 @@
 #include "idl/identity.hpp"
 
+#include "common/freed_by.hpp"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <openssl/pem.h>
@@ -21,16 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::system_clock;
 
-template <auto kFree>
-struct Free {
-    template <class T>
-    void operator()(T* object) const {
-        kFree(object);
-    }
-};
-using Certificate = std::unique_ptr<X509, Free<X509_free>>;
-using RevocationList = std::unique_ptr<X509_CRL, Free<X509_CRL_free>>;
-using File = std::unique_ptr<std::FILE, Free<std::fclose>>;
+using Certificate = std::unique_ptr<X509, FreedBy<X509_free>>;
+using RevocationList = std::unique_ptr<X509_CRL, FreedBy<X509_CRL_free>>;
+using File = std::unique_ptr<std::FILE, FreedBy<std::fclose>>;
 
 /// One of the files, and the time for which it holds.
 struct Paper {
