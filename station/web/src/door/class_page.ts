@@ -157,6 +157,7 @@ class ClassPage {
           class: "plain",
           "aria-pressed": String(this.chosen === id),
           onclick: () => {
+            if (id === undefined) this.newClass.anybody();
             this.chosen = id;
             this.mover = undefined;
             this.draw();

@@ -20,6 +20,8 @@ export interface NewClass {
   readonly element: HTMLElement;
   /** Of these alone, with what they are to do next. */
   fill(group: Next[]): void;
+  /** Whoever has the code may join, unless a file is given. */
+  anybody(): void;
 }
 
 export function newClass(opened: (classes: Classes) => void): NewClass {
@@ -32,6 +34,10 @@ export function newClass(opened: (classes: Classes) => void): NewClass {
   const list = h("input", { type: "file", accept: ".csv,.txt,text/csv,text/plain" });
   let fixed: string[] = []; // who goes on from another class
   const whose = h("p", { class: "quiet" });
+  const anybody = (): void => {
+    fixed = [];
+    setText(whose, "");
+  };
   const names = async (): Promise<string[]> => {
     const given = await list.files?.[0]?.text();
     return given === undefined ? fixed : namesOf(given);
@@ -82,11 +88,10 @@ export function newClass(opened: (classes: Classes) => void): NewClass {
           crew: Number(crew.value),
           names: await names(),
         });
-        fixed = [];
-        setText(whose, "");
+        anybody();
         opened(classes);
       },
     ),
   );
-  return { element, fill };
+  return { element, fill, anybody };
 }
