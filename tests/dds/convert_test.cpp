@@ -334,6 +334,24 @@ TEST(SpscRing, HandsEverythingOverInOrderAcrossThreads) {
     EXPECT_TRUE(ring.empty());
 }
 
+TEST(SpscRing, MakesASlotWhenItIsFirstNeededAndOnce) {
+    static int made = 0;
+    struct Slot {
+        Slot() { ++made; }
+    };
+    SpscRing<Slot> ring(3);
+    EXPECT_EQ(made, 0);
+    for (int lap = 1; lap <= 7; ++lap) {
+        ASSERT_NE(ring.free_slot(), nullptr);
+        ring.push();
+        EXPECT_EQ(made, std::min(lap, 3));
+        ring.pop();
+    }
+    SpscRing<Slot> set_up(3);
+    set_up.for_each([](Slot&) {});
+    EXPECT_EQ(made, 6);
+}
+
 TEST(SpscRing, FullRingGivesNoSlot) {
     SpscRing<int> ring(2);
     for (int i = 0; i < 2; ++i) {
