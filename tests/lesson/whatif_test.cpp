@@ -23,19 +23,12 @@ namespace {
 namespace fs = std::filesystem;
 using exercise::Side;
 
-std::vector<trainee::Script> scripts_of(const console::LessonFile& file, const assess::LessonRun& run) {
-    std::vector<fs::path> scripts;
-    for (const std::string& script : run.scripts)
-        scripts.push_back(file.root / script);
-    return console::load_scripts(scripts);
-}
-
 /// A lesson played by one of its typical errors.
 struct Played {
     explicit Played(const char* name, std::size_t error = 0)
         : file(console::read_lesson_file(fs::path(WINDLASS_CONFIG_DIR) / "exercises" / name)),
-          model(scripts_of(file, file.lesson.model_run)) {
-        played = lesson::play(file.def, scripts_of(file, file.lesson.errors.at(error)),
+          model(console::scripts_of(file, file.lesson.model_run)) {
+        played = lesson::play(file.def, console::scripts_of(file, file.lesson.errors.at(error)),
                               [this](const run::Session& session) { put_down(attempt, session); });
     }
     console::LessonFile file;
