@@ -57,7 +57,8 @@ void DoorHost::ask(const std::string& target, const Who& who, const Reply& reply
             options_.lessons, [](const json& list) { return answer(list); }, reply);
     if (path == "/door/marks.csv") return reply(marks(value_in(target, "class")));
     if (path == "/door/next" && options_.next) return next(value_in(target, "class"), reply);
-    if (path == "/door/debriefing") return debrief(value_in(target, "recording"), reply);
+    if (path == "/door/debriefing" || path == "/door/what_if")
+        return debrief(value_in(target, "recording"), path == "/door/what_if", reply);
     reply(refused(404, "nobody answers that here"));
 }
 
@@ -89,20 +90,21 @@ void DoorHost::next(const std::string& id, const Reply& reply) {
 }
 
 /// Of a recording that a class has made, and no other.
-void DoorHost::debrief(const std::string& recording, const Reply& reply) {
+void DoorHost::debrief(const std::string& recording, bool what_if, const Reply& reply) {
     const auto made_it = [&](const TrainingClass& each) {
         return std::ranges::any_of(each.results,
                                    [&](const auto& one) { return one.second.recording == recording; });
     };
     if (recording.empty() || std::ranges::none_of(book_.classes(), made_it))
         return reply(refused(404, "no class has such a recording"));
-    slow_.add<std::string>([make = options_.debriefing, recording] { return make(recording); },
-                           [](std::string page) {
-                               return Verdict{.kind = Verdict::Kind::answer,
-                                              .type = "text/html; charset=utf-8",
-                                              .body = std::move(page)};
-                           },
-                           reply);
+    const auto as_page = [](std::string page) {
+        return Verdict{
+            .kind = Verdict::Kind::answer, .type = "text/html; charset=utf-8", .body = std::move(page)};
+    };
+    if (what_if) return reply(as_page(options_.what_if(recording)));
+    slow_.add<std::string>(
+        [make = options_.debriefing, recording] { return make(recording, "what_if?recording=" + recording); },
+        as_page, reply);
 }
 
 void DoorHost::act(const std::string& path, const std::string& body, const Who& who, const Reply& reply) {

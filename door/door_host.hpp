@@ -33,7 +33,10 @@ struct DoorOptions {
     /// Exercise files as ExerciseFiles lists them. Runs on a thread of its own. Throws std::exception.
     std::function<nlohmann::json()> lessons;
     /// The page of a recording's debriefing, by the recording's name. The same.
-    std::function<std::string(const std::string& recording)> debriefing;
+    /// what_if: address of the page below.
+    std::function<std::string(const std::string& recording, const std::string& what_if)> debriefing;
+    /// That page with what would have kept lost points, or how far the search is. On the network's thread.
+    std::function<std::string(const std::string& recording)> what_if;
     /// Puts an attempt into the history, or brings it up to date there. The same.
     std::function<void(const AttemptMade& made)> put_in_history;
     /// What each of these trainees is to practise next, by the history: their names in, [{name, file, title,
@@ -131,7 +134,7 @@ private:
     gateway::Verdict lead(const Who& who, const Json& asked);
     gateway::Verdict marks(const std::string& id) const;
     void next(const std::string& id, const Reply& reply);
-    void debrief(const std::string& recording, const Reply& reply);
+    void debrief(const std::string& recording, bool what_if, const Reply& reply);
     void let_in(const Who& who, const Json& asked, const Reply& reply);
     void log_out_all(const std::string& name);
     Json me(const Who& who) const;

@@ -338,8 +338,8 @@ int run(Options options) {
                             [&log](const std::string& line) { log.tell(line); });
     gateway::Assets assets(gateway::folder_of_pages(), "join");
     auto instructor = console::instructor_pages(options.session, options.recordings, options.exercises);
-    instructor.publish = [&assets](const std::string& path, std::string html) {
-        assets.add_page(path, std::move(html));
+    instructor.publish = [&assets](const std::string& path, std::function<std::string()> page) {
+        assets.add_page(path, std::move(page));
     };
     instructor.log = [&log](const std::string& line) { log.tell(line); };
     instructor.given = [&audit, staffs = staffs_orders()](const std::string& by, const std::string& exercise,
@@ -349,6 +349,7 @@ int run(Options options) {
     };
     const auto exercise_files = instructor.exercise_files;
     const auto debrief_of = instructor.debrief_of;
+    const auto what_if_of = instructor.what_if_of;
     const auto lessons = [exercise_files] {
         return exercise_files({{"what", "list"}, {"name", ""}, {"text", ""}, {"over", ""}});
     };
@@ -359,8 +360,13 @@ int run(Options options) {
          .names = names,
          .certificate = certificate,
          .lessons = lessons,
-         .debriefing = [debrief_of, recordings = options.recordings](
-                           const std::string& recording) { return debrief_of(recordings / recording); },
+         .debriefing =
+             [debrief_of, recordings = options.recordings](const std::string& recording,
+                                                           const std::string& what_if) {
+                 return debrief_of(recordings / recording, what_if);
+             },
+         .what_if = [what_if_of, recordings = options.recordings](
+                        const std::string& recording) { return what_if_of(recordings / recording); },
          .put_in_history = [options](const door::AttemptMade& made) { put_in_history(options, made); },
          .next =
              [options, lessons](const std::vector<std::string>& names) {

@@ -4,14 +4,21 @@
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/debrief/scenes.hpp"
 #include "recorder/ghost.hpp"
+#include "recorder/remedies.hpp"
+
+#include <sched.h>
+
+#include <algorithm>
 
 namespace windlass::console {
 
-std::string debrief_page(const std::filesystem::path& path, const std::filesystem::path& config) {
-    recording::Recording recording({path});
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string page_of(recording::Recording& recording, const fs::path& config, debrief::PageOptions options) {
     auto attempt = debrief::read_attempt(recording);
     debrief::read_scenes(recording, attempt);
-    debrief::PageOptions options{.links = {.kind = debrief::Links::Kind::beside, .station = {}, .token = {}}};
     std::optional<debrief::Attempt> model;
     if (attempt.assessment) {
         try {
@@ -22,6 +29,86 @@ std::string debrief_page(const std::filesystem::path& path, const std::filesyste
         }
     }
     return debrief::page_of(attempt, options);
+}
+
+debrief::Links beside(const std::string& what_if) {
+    return {.kind = debrief::Links::Kind::beside, .station = {}, .token = {}, .what_if = what_if};
+}
+
+/// When the newest of its files was written.
+fs::file_time_type changed(const fs::path& recording) {
+    auto last = fs::file_time_type::min(); // before any: this clock counts from a year to come
+    std::error_code gone;
+    for (const auto& file : fs::directory_iterator(recording, gone))
+        last = std::max(last, file.last_write_time(gone));
+    return last;
+}
+
+std::string waiting_page(const fs::path& recording, const std::string& words, bool again) {
+    return debrief::waiting_page("What would have kept lost points: " + recording.filename().string(), words,
+                                 again);
+}
+
+} // namespace
+
+std::string debrief_page(const fs::path& path, const fs::path& config, const std::string& what_if) {
+    recording::Recording recording({path});
+    return page_of(recording, config, {.links = beside(what_if)});
+}
+
+WhatIfPages::WhatIfPages(fs::path config, bool beside)
+    : config_(std::move(config)),
+      thread_([this, beside](const std::stop_token& stop) { work(stop, beside); }) {}
+
+WhatIfPages::~WhatIfPages() = default;
+
+std::string WhatIfPages::page(const fs::path& recording) {
+    const auto now = changed(recording);
+    const std::lock_guard lock(mutex_);
+    Page& page = pages_[recording];
+    if (page.of != now && std::ranges::find(waiting_, recording) == waiting_.end()) {
+        page = {.of = now, .html = waiting_page(recording, "It waits for another search.", true)};
+        waiting_.push_back(recording);
+        asked_.notify_one();
+    }
+    return page.html;
+}
+
+void WhatIfPages::show(const fs::path& recording, std::string html) {
+    const std::lock_guard lock(mutex_);
+    pages_[recording].html = std::move(html);
+}
+
+void WhatIfPages::work(const std::stop_token& stop, bool beside) {
+    // Threads that the search begins are scheduled in the same way.
+    const sched_param idle{};
+    if (beside) pthread_setschedparam(pthread_self(), SCHED_IDLE, &idle);
+    while (true) {
+        fs::path recording;
+        {
+            std::unique_lock lock(mutex_);
+            if (!asked_.wait(lock, stop, [this] { return !waiting_.empty(); })) return;
+            recording = waiting_.front();
+            waiting_.pop_front();
+        }
+        try {
+            show(recording, search(recording, stop));
+        } catch (const std::exception& error) {
+            show(recording, waiting_page(recording, error.what(), false));
+        }
+    }
+}
+
+std::string WhatIfPages::search(const fs::path& path, const std::stop_token& stop) {
+    show(path, waiting_page(path, "Reading the recording ...", true));
+    recording::Recording recording({path});
+    auto remedies = recorder::remedies_of(
+        recording, 0, config_,
+        [&](const std::string& words) {
+            show(path, waiting_page(path, "Searching for " + words + " ...", true));
+        },
+        stop);
+    return page_of(recording, config_, {.links = beside({}), .remedies = std::move(remedies)});
 }
 
 } // namespace windlass::console

@@ -1,13 +1,52 @@
 #pragma once
 
+#include <condition_variable>
+#include <deque>
 #include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <thread>
 
 namespace windlass::console {
 
 /// The debriefing of a recording's last run as a page that this station serves: its times open the replay
 /// beside it. config: folder with the scripts of the lessons' model runs, which are laid behind the curves.
-/// Throws std::exception, with what is wrong, when the recording cannot be read.
-std::string debrief_page(const std::filesystem::path& recording, const std::filesystem::path& config);
+/// what_if: address of the page below. Throws std::exception, with what is wrong, when the recording cannot
+/// be read.
+std::string debrief_page(const std::filesystem::path& recording, const std::filesystem::path& config,
+                         const std::string& what_if);
+
+/// The same pages with what would have kept each lost point, searched for in one recording after the other.
+class WhatIfPages {
+public:
+    /// config: as above. beside: on threads that get what processor time nobody else wants, as a class may
+    /// run on this machine.
+    explicit WhatIfPages(std::filesystem::path config, bool beside = true);
+    ~WhatIfPages(); ///< gives up what is searched for
+    WhatIfPages(const WhatIfPages&) = delete;
+    WhatIfPages& operator=(const WhatIfPages&) = delete;
+
+    /// The page; until it is made, how far that is, in a page that looks again by itself. The first to ask
+    /// begins the search; so does who asks after the recording has grown. From any thread.
+    std::string page(const std::filesystem::path& recording);
+
+private:
+    struct Page {
+        std::optional<std::filesystem::file_time_type> of{}; ///< when the recording last changed
+        std::string html;
+    };
+    void work(const std::stop_token& stop, bool beside);
+    std::string search(const std::filesystem::path& recording, const std::stop_token& stop);
+    void show(const std::filesystem::path& recording, std::string html);
+
+    const std::filesystem::path config_;
+    std::mutex mutex_;
+    std::condition_variable_any asked_;
+    std::deque<std::filesystem::path> waiting_;
+    std::map<std::filesystem::path, Page> pages_;
+    std::jthread thread_; // last: it uses all of the above
+};
 
 } // namespace windlass::console

@@ -32,9 +32,12 @@ gateway::GatewayOptions instructor_pages(const station::SessionOptions& session,
     };
     wanted.events_of = events_of;
     wanted.past_of = past_of;
-    wanted.debrief_of = [config = wanted.config_root](const std::filesystem::path& recording) {
-        return debrief_page(recording, config);
+    wanted.debrief_of = [config = wanted.config_root](const std::filesystem::path& recording,
+                                                      const std::string& what_if) {
+        return debrief_page(recording, config, what_if);
     };
+    wanted.what_if_of = [pages = std::make_shared<WhatIfPages>(wanted.config_root)](
+                            const std::filesystem::path& recording) { return pages->page(recording); };
     wanted.exercise_files = [files = std::make_shared<ExerciseFiles>(exercises)](const json& request) {
         return files->answer(request);
     };

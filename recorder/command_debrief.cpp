@@ -97,8 +97,12 @@ int debrief_recording(const DebriefOptions& options) {
     for (const auto& other : others)
         page.over.push_back(&other);
     if (options.what_if) {
-        recording::Recording recording(options.paths);
-        page.remedies = remedies_of(recording, options.run, options.config);
+        try {
+            recording::Recording recording(options.paths);
+            page.remedies = remedies_of(recording, options.run, options.config, tell);
+        } catch (const std::runtime_error& error) {
+            tell(fmt::format("what would have kept lost points is not searched for: {}", error.what()));
+        }
     }
     write(options.output.empty() ? fs::path("debrief_" + attempt.origin.recording + ".html") : options.output,
           debrief::page_of(attempt, page));

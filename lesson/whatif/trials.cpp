@@ -105,6 +105,7 @@ public:
 
     /// One tick: what the hands do, the step, and what the lesson orders then.
     void step() {
+        if (trials_.stop_.stop_requested()) throw std::runtime_error("the search was given up");
         const bool model = tick() >= model_from_;
         const bool conned = hands_ && std::ranges::any_of(hands_->seats, &lesson::Seat::conns);
         for (; next_ < orders_.size() && orders_[next_].tick <= tick(); ++next_)
@@ -197,7 +198,8 @@ std::uint64_t Trials::ticks(double seconds) const {
     return static_cast<std::uint64_t>(std::llround(std::max(seconds, 0.0) * tick_rate_));
 }
 
-Trials::Trials(const Attempt& attempt, const std::vector<trainee::Script>& model) : attempt_(attempt) {
+Trials::Trials(const Attempt& attempt, const std::vector<trainee::Script>& model, std::stop_token stop)
+    : attempt_(attempt), stop_(std::move(stop)) {
     if (attempt.checkpoints.empty()) throw std::runtime_error("the attempt has no checkpoint to begin at");
     std::ranges::copy_if(attempt.orders, std::back_inserter(orders_),
                          [](const run::OrderView& order) { return !of_the_lesson(order); });

@@ -9,6 +9,7 @@
 #include "server/run/course.hpp"
 
 #include <optional>
+#include <stop_token>
 
 namespace windlass::whatif {
 
@@ -41,7 +42,8 @@ public:
     /// Goes through the attempt as it was. Throws
     /// std::runtime_error when it has no lesson that came to its end, or when the states that it has do not
     /// come of its orders, as when another version of the model recorded them; exercise::CheckpointError.
-    Trials(const Attempt& attempt, const std::vector<trainee::Script>& model);
+    /// stop: gives up whatever is under way, by std::runtime_error.
+    Trials(const Attempt& attempt, const std::vector<trainee::Script>& model, std::stop_token stop = {});
 
     const assess::Lesson& lesson() const { return *lesson_; }
     const assess::Result& recorded() const { return recorded_; } ///< the marks of the attempt as it was
@@ -84,6 +86,7 @@ private:
     std::size_t checkpoint_before(std::uint64_t tick) const;
 
     const Attempt& attempt_;
+    std::stop_token stop_;
     std::optional<assess::Lesson> lesson_;
     assess::Result recorded_;
     assess::State state_;

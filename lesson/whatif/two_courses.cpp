@@ -123,12 +123,16 @@ std::optional<TwoCourses> two_courses(Trials& trials, const Answer& answer) {
     if (const auto lever = moved(answer)) ways.push_back({*lever});
 
     const std::uint64_t changed = changed_at(trials, answer), before = trials.ticks(kWindowBefore);
-    TwoCourses both{.changed = trials.seconds(changed), .lost = answer.lost_time, .curves = {}};
+    TwoCourses both{
+        .changed = trials.seconds(changed), .lost = answer.lost_time, .curves = {}, .was = {}, .would = {}};
     const std::uint64_t from = std::max(trials.first_tick(), changed - std::min(changed, before));
     const std::uint64_t until =
         std::max(trials.ticks(answer.lost_time), changed) + trials.ticks(kWindowBehind);
-    const auto go = [&](const Variation& variation, std::vector<Point> TwoCurves::*into) {
+    const double pictured = std::max(both.lost, both.changed);
+    const auto go = [&](const Variation& variation, std::vector<Point> TwoCurves::*into,
+                        std::optional<exercise::Snapshot>& picture) {
         trials.show(variation, from, until, [&](const exercise::Snapshot& seen, const assess::State& state) {
+            if (!picture || seen.time <= pictured) picture = seen;
             for (std::vector<Asked>& way : ways)
                 for (Asked& each : way)
                     if (const auto* tackle = assess::tackle_of(seen, each.side))
@@ -137,8 +141,8 @@ std::optional<TwoCourses> two_courses(Trials& trials, const Answer& answer) {
                                 {seen.time, assess::figure(each.curves.quantity, seen, *tackle, state)});
         });
     };
-    go({.orders = trials.orders(), .from = from}, &TwoCurves::was);
-    go(variation_of(trials, answer), &TwoCurves::would);
+    go({.orders = trials.orders(), .from = from}, &TwoCurves::was, both.was);
+    go(variation_of(trials, answer), &TwoCurves::would, both.would);
 
     const auto found = std::ranges::find_if(
         ways, [&](const std::vector<Asked>& way) { return std::ranges::any_of(way, differs); });

@@ -3,7 +3,7 @@
 
 #include "lesson/whatif/search.hpp"
 
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace windlass::whatif {
@@ -26,6 +26,8 @@ struct TwoCurves {
 struct TwoCourses {
     double changed = 0, lost = 0;  ///< s of exercise: the first thing that is otherwise; when it was lost
     std::vector<TwoCurves> curves; ///< empty: nothing moves otherwise than it did
+    /// Both at the loss, or at the change where that is later; a run that ends sooner, at its end.
+    std::optional<exercise::Snapshot> was, would;
 };
 
 inline constexpr double kWindowBefore = 20, kWindowBehind = 30; ///< s, of the change; of the loss

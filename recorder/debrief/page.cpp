@@ -28,13 +28,22 @@ std::string in_address(std::string_view text) {
     return address;
 }
 
+std::string head(const std::string& title, bool ghost, std::string_view more) {
+    return fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                       "{}<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
+                       more, escaped(title), kStyle, ghost ? kGhostStyle : std::string_view());
+}
+
+constexpr const char* kFoot = "</main>\n</body>\n</html>\n";
+
 } // namespace
 
 std::string Links::to(const std::string& recording, double position) const {
     if (kind == Kind::none) return {};
-    std::string address = fmt::format("replay?recording={}&t={:.1f}", in_address(recording), position);
+    std::string address = fmt::format("/replay?recording={}&t={:.1f}", in_address(recording), position);
     if (kind == Kind::beside) return address;
-    address = station + '/' + address;
+    address = station + address;
     return token.empty() ? address : address + "#token=" + token;
 }
 
@@ -61,16 +70,17 @@ std::string page_of(const Attempt& attempt, const PageOptions& options) {
     const std::string title =
         fmt::format("Debrief: {}", attempt.title.empty() ? attempt.exercise : attempt.title);
     std::string html =
-        fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                    "<title>{} ({})</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n"
-                    "<h1>{}</h1>\n",
-                    escaped(title), escaped(attempt.origin.recording), kStyle,
-                    options.ghost ? kGhostStyle : std::string_view(), escaped(title));
+        head(fmt::format("{} ({})", title, attempt.origin.recording), options.ghost.has_value(), "") +
+        fmt::format("<h1>{}</h1>\n", escaped(title));
     for (const auto part : {summary_part, result_part, moments_part, pictures_part, plots_part,
                             comparison_part, talk_part, events_part, origin_part})
         html += part(page);
-    return html + "</main>\n</body>\n</html>\n";
+    return html + kFoot;
+}
+
+std::string waiting_page(const std::string& title, const std::string& words, bool again) {
+    return head(title, false, again ? "<meta http-equiv=\"refresh\" content=\"2\">\n" : "") +
+           fmt::format("<h1>{}</h1>\n<p role=\"status\">{}</p>\n", escaped(title), escaped(words)) + kFoot;
 }
 
 } // namespace windlass::debrief

@@ -15,8 +15,9 @@ struct Links {
         station ///< a station elsewhere
     };
     Kind kind = Kind::none;
-    std::string station; ///< its address, e.g. "http://127.0.0.1:8765"
-    std::string token;   ///< of it; empty: the browser's session has it
+    std::string station;      ///< its address, e.g. "http://127.0.0.1:8765"
+    std::string token;        ///< of it; empty: the browser's session has it
+    std::string what_if = {}; ///< beside: of the same page with what would have kept lost points; empty: none
 
     /// The replay of that recording at that position, s from its beginning; empty: there is none.
     std::string to(const std::string& recording, double position) const;
@@ -47,6 +48,8 @@ struct Remedy {
     double changed = 0, lost = 0;         ///< s of exercise: when something is otherwise, when it was lost
     std::vector<TwoCourses> courses = {}; ///< of a change that moves anything
     bool only_said = false;               ///< nothing moves otherwise than it did: the change is one of words
+    int side = 0;                         ///< whose cable the pictures are of
+    std::optional<SceneAt> was = {}, would = {}; ///< at the same moment; nothing: no change helps
 };
 
 struct PageOptions {
@@ -58,5 +61,9 @@ struct PageOptions {
 };
 
 std::string page_of(const Attempt& attempt, const PageOptions& options);
+
+/// Stands for a page that is not made yet, says how far that is, and looks again by itself. again: false: it
+/// says why there will be none.
+std::string waiting_page(const std::string& title, const std::string& words, bool again);
 
 } // namespace windlass::debrief

@@ -1,6 +1,7 @@
 #pragma once
 // The parts of the page, in the order in which they stand in it. Each is a section with its heading.
 
+#include "recorder/debrief/elevation.hpp"
 #include "recorder/debrief/moments.hpp"
 #include "recorder/debrief/page.hpp"
 #include "recorder/debrief/plot.hpp"
@@ -27,6 +28,14 @@ std::string origin_part(const PageContext& page);
 /// A plot under its title as a heading of that level, with its sentence, and its table out of sight until it
 /// is asked for.
 std::string plot_figure(const Plot& plot, int level, const std::string& table);
+
+/// A scene from abeam under its heading (HTML), with what it shows in a sentence. number: of the picture in
+/// the page, for its ids. Empty where nothing can be drawn.
+std::string scene_figure(const PageContext& page, const SceneAt& scene, int side, std::size_t number,
+                         const std::string& heading);
+
+/// Of all scenes of the page, so that one line means one tension.
+TensionLimits limits_of(const PageContext& page);
 
 /// "2:05", linked to the replay of it where there is one.
 std::string time_link(const PageContext& page, double time);

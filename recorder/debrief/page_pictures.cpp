@@ -66,39 +66,48 @@ std::string heading(const PageContext& page, const PicturedMoments& moments) {
     return text;
 }
 
-std::string picture(const PageContext& page, const PicturedMoments& moments, const TensionLimits& limits,
-                    std::size_t number) {
-    const Attempt& attempt = page.attempt;
-    const auto scene = std::ranges::find(attempt.scenes, moments.time, &SceneAt::time);
-    if (scene == attempt.scenes.end()) return {};
-    const int side = side_of(attempt, moments);
-    if (!elevation_of(*scene, side)) return {};
-    const std::string words = sentence(*scene, side);
-    const std::string svg =
-        elevation_svg(attempt, *scene, side, limits, number,
-                      fmt::format("The scene at {}, from abeam", station::clock(moments.time)), words);
-    return fmt::format("<figure><p>{}</p><div class=\"wide\" role=\"group\" tabindex=\"0\" "
-                       "aria-label=\"Scene at {}\">{}</div><figcaption>{}</figcaption><details>"
-                       "<summary>Table: the cable at {}</summary>{}</details></figure>\n",
-                       heading(page, moments), station::clock(moments.time), svg, escaped(words),
-                       station::clock(moments.time), table_of(*scene, side));
+std::string picture(const PageContext& page, const PicturedMoments& moments, std::size_t number) {
+    const auto scene = std::ranges::find(page.attempt.scenes, moments.time, &SceneAt::time);
+    if (scene == page.attempt.scenes.end()) return {};
+    return scene_figure(page, *scene, side_of(page.attempt, moments), number, heading(page, moments));
 }
 
 } // namespace
 
+TensionLimits limits_of(const PageContext& page) {
+    std::vector<SceneAt> scenes = page.attempt.scenes;
+    if (page.options.remedies)
+        for (const Remedy& each : *page.options.remedies)
+            for (const auto& scene : {each.was, each.would})
+                if (scene) scenes.push_back(*scene);
+    return tension_limits(scenes);
+}
+
+std::string scene_figure(const PageContext& page, const SceneAt& scene, int side, std::size_t number,
+                         const std::string& heading) {
+    if (!elevation_of(scene, side)) return {};
+    const std::string words = sentence(scene, side);
+    const std::string time = station::clock(scene.time);
+    const std::string svg = elevation_svg(page.attempt, scene, side, limits_of(page), number,
+                                          fmt::format("The scene at {}, from abeam", time), words);
+    return fmt::format("<figure><p>{}</p><div class=\"wide\" role=\"group\" tabindex=\"0\" "
+                       "aria-label=\"Scene at {}\">{}</div><figcaption>{}</figcaption><details>"
+                       "<summary>Table: the cable at {}</summary>{}</details></figure>\n",
+                       heading, time, svg, escaped(words), time, table_of(scene, side));
+}
+
 std::string pictures_part(const PageContext& page) {
-    const TensionLimits limits = tension_limits(page.attempt.scenes);
     std::string figures;
     std::size_t number = 0;
     for (const PicturedMoments& each : pictured(page.moments))
-        figures += picture(page, each, limits, ++number);
+        figures += picture(page, each, ++number);
     if (figures.empty()) return {};
     return "<section aria-labelledby=\"scenes\">\n<h2 id=\"scenes\">The scene at key moments</h2>\n<p>As "
            "recorded, in true shape, seen across the cable; the cable&#39;s line is wider and redder with "
            "its "
            "tension. The numbers are those of the moments.</p>\n"
            "<div class=\"wide key\" role=\"group\" tabindex=\"0\" aria-label=\"Key of tensions\">" +
-           tension_key(limits) + "</div>\n" + figures + "</section>\n";
+           tension_key(limits_of(page)) + "</div>\n" + figures + "</section>\n";
 }
 
 } // namespace windlass::debrief

@@ -102,8 +102,15 @@ std::string deductions(const PageContext& page, const Judgement& judgement) {
             rows.back().push_back(html_cell(remedy(page, mark.criterion->code().to_string())));
     }
     if (rows.empty()) return "<h3>Deductions</h3>\n<p>No points were lost.</p>\n";
+    const std::string& what_if = page.options.links.what_if;
     return "<h3>Deductions</h3>\n" +
-           table("Points lost of 100, by when it first went wrong; reasons count in weights", columns, rows);
+           table("Points lost of 100, by when it first went wrong; reasons count in weights", columns, rows) +
+           (what_if.empty() || page.options.remedies || !page.attempt.assessment->finished()
+                ? ""
+                : fmt::format(
+                      "<p><a href=\"{}\">What would have kept them</a>: every answer is really played, "
+                      "which takes some seconds to a minute or two each.</p>\n",
+                      escaped(what_if)));
 }
 
 /// The two courses of one quantity as a plot: solid as it was, dashed as it would have been.
@@ -158,11 +165,24 @@ std::string table_of(const TwoCourses& two) {
         {"time", fmt::format("as it was, {}", two.unit), fmt::format("would have been, {}", two.unit)}, rows);
 }
 
+/// Both scenes at the same moment, side by side. pair: their number in the page.
+std::string scenes(const PageContext& page, const Remedy& remedy, const std::string& name, std::size_t pair) {
+    constexpr std::size_t kBehind = 100; // scenes of key moments come first: they are fewer
+    if (!remedy.was || !remedy.would) return {};
+    const std::string was = scene_figure(page, *remedy.was, remedy.side, kBehind + 2 * pair, "As it was");
+    const std::string would =
+        scene_figure(page, *remedy.would, remedy.side, kBehind + 2 * pair + 1, "As it would have been");
+    if (was.empty() || would.empty()) return {};
+    return fmt::format("<h4>{}: the scene at {}</h4>\n<div class=\"pair\">\n{}{}</div>\n", escaped(name),
+                       station::clock(remedy.was->time), was, would);
+}
+
 /// Both courses of each answer, under what was lost.
 std::string courses(const PageContext& page, const Judgement& judgement) {
     if (!page.options.remedies) return {};
     std::string html;
     int plots = 0;
+    std::size_t pairs = 0;
     for (const Mark& mark : judgement.deductions()) {
         const std::string code = mark.criterion->code().to_string();
         const auto remedy = std::ranges::find(*page.options.remedies, code, &Remedy::criterion);
@@ -178,11 +198,13 @@ std::string courses(const PageContext& page, const Judgement& judgement) {
             plot.title = fmt::format("{}: {}", name_of(*mark.criterion), two.title);
             html += plot_figure(plot, 4, table_of(two));
         }
+        html += scenes(page, *remedy, name_of(*mark.criterion), ++pairs);
     }
     if (html.empty()) return {};
     return "<h3>As it was, and as it would have been</h3>\n<p>Each answer was really "
            "played: its one change with all other hands as recorded, or the model hands from there on. The "
-           "plots go from twenty seconds before that until half a minute behind the loss.</p>\n" +
+           "plots go from twenty seconds before that until half a minute behind the loss, the pictures "
+           "are of when it was lost: a cable&#39;s line is wider and redder with its tension.</p>\n" +
            html;
 }
 

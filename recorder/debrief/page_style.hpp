@@ -56,6 +56,9 @@ svg .pull1 { stroke: #00418a; stroke-width: 2.2; }
 svg .pull2 { stroke: #a34700; stroke-width: 3.2; }
 svg .pull3 { stroke: #b00020; stroke-width: 4.4; }
 svg .fluke { fill: none; stroke: #111; stroke-width: 2.6; stroke-linecap: round; }
+.pair { display: flex; flex-wrap: wrap; gap: 0 1rem; }
+.pair > figure { flex: 1 1 20rem; min-width: 0; }
+.pair svg { width: 100%; height: auto; }
 figure > p { margin: .8rem 0 .2rem; }
 .key { break-after: avoid; }
 @media (max-width: 30rem) { dl { grid-template-columns: 1fr; } dd { margin-bottom: .4rem; } }

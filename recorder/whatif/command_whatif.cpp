@@ -30,7 +30,7 @@ int what_if(const WhatIfOptions& options) {
     std::vector<whatif::Answer> answers;
     try {
         const whatif::Attempt attempt = recorded_attempt(recording, options.run);
-        whatif::Trials trials(attempt, model_of(attempt, options.config));
+        whatif::Trials trials(attempt, model_of(attempt, options.config, tell));
         const auto lost = whatif::lost_criteria(trials);
         if (!options.json)
             std::cout << fmt::format("lesson {}: {:.1f} points of 100, {} of its criteria lost points\n",

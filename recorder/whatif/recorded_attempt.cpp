@@ -1,6 +1,5 @@
 #include "recorder/whatif/recorded_attempt.hpp"
 
-#include "recorder/command.hpp"
 #include "recorder/resimulate/resimulation.hpp"
 #include "server/config/config.hpp"
 
@@ -39,7 +38,8 @@ std::vector<std::string> model_scripts(const whatif::Attempt& attempt) {
     return assessor.lesson() == nullptr ? std::vector<std::string>() : assessor.lesson()->model_run.scripts;
 }
 
-std::vector<trainee::Script> model_of(const whatif::Attempt& attempt, const std::filesystem::path& config) {
+std::vector<trainee::Script> model_of(const whatif::Attempt& attempt, const std::filesystem::path& config,
+                                      const Tell& tell) {
     std::vector<trainee::Script> model;
     for (const std::string& script : model_scripts(attempt)) {
         const std::filesystem::path file = config / script;

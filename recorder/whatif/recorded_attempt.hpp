@@ -2,6 +2,8 @@
 // The attempt at a lesson that a recording has.
 
 #include "lesson/whatif/attempt.hpp"
+#include "trainee_client/script.hpp"
+#include "recorder/remedies.hpp"
 #include "recorder/resimulate/runs.hpp"
 
 namespace windlass::recorder {
@@ -15,7 +17,8 @@ whatif::Attempt recorded_attempt(recording::Recording& recording, const Run& run
 std::vector<std::string> model_scripts(const whatif::Attempt& attempt);
 
 /// Those scripts, from the folder of configuration; none where one is not there, which is told.
-std::vector<trainee::Script> model_of(const whatif::Attempt& attempt, const std::filesystem::path& config);
+std::vector<trainee::Script> model_of(const whatif::Attempt& attempt, const std::filesystem::path& config,
+                                      const Tell& tell);
 
 /// The attempt of a run of a recording, 1 the first, 0 the last. Throws std::runtime_error where there is no
 /// such run, and as above.

@@ -62,13 +62,14 @@ Assets::Assets(const fs::path& folder, const std::string& first_page) {
     files_.emplace("/", first->second);
 }
 
-void Assets::add_page(const std::string& path, std::string content) {
-    files_.insert_or_assign(
-        path, std::make_shared<const Asset>(
-                  Asset{.content = std::move(content), .zipped = {}, .type = type_of("a.html")}));
+void Assets::add_page(const std::string& path, std::function<std::string()> content) {
+    made_.insert_or_assign(path, std::move(content));
 }
 
 std::shared_ptr<const Asset> Assets::find(const std::string& path) const {
+    if (const auto made = made_.find(path); made != made_.end())
+        return std::make_shared<const Asset>(
+            Asset{.content = made->second(), .zipped = {}, .type = type_of("a.html")});
     const auto found = files_.find(path);
     return found == files_.end() ? nullptr : found->second;
 }

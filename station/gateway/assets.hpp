@@ -2,6 +2,7 @@
 // The pages: every file of a folder, read once at the start, by the path under which it is asked for.
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -22,8 +23,8 @@ public:
     /// the folder cannot be read or has no such page: the stations were built without their pages.
     Assets(const std::filesystem::path& folder, const std::string& first_page);
 
-    /// One more, which is in no folder: an HTML page at that path.
-    void add_page(const std::string& path, std::string content);
+    /// One more, which is in no folder: an HTML page at that path, made anew each time that it is asked for.
+    void add_page(const std::string& path, std::function<std::string()> content);
 
     /// nullptr: there is none of exactly that path. Whoever has it may go on sending it after it was
     /// replaced.
@@ -31,6 +32,7 @@ public:
 
 private:
     std::map<std::string, std::shared_ptr<const Asset>> files_;
+    std::map<std::string, std::function<std::string()>> made_;
 };
 
 /// The folder "web" beside the program that runs.

@@ -39,11 +39,16 @@ struct GatewayOptions {
     /// What a page draws of a recording over time (docs/gateway.md, recording_events). The same.
     std::function<nlohmann::json(const std::filesystem::path& recording)> past_of;
     /// The page of a recording's debriefing. The same.
-    std::function<std::string(const std::filesystem::path& recording)> debrief_of;
+    /// what_if: address of the page below.
+    std::function<std::string(const std::filesystem::path& recording, const std::string& what_if)> debrief_of;
+    /// That page with what would have kept lost points, or how far the search for it is, which it begins.
+    /// Called on the server's thread, and throws nothing.
+    std::function<std::string(const std::filesystem::path& recording)> what_if_of;
     /// What a page asks of the exercise files, and the answer (docs/gateway.md, exercise_files). The same.
     std::function<nlohmann::json(const nlohmann::json& request)> exercise_files;
-    /// Puts a page among those that are served. Called on the server's thread.
-    std::function<void(const std::string& path, std::string html)> publish;
+    /// Puts a page among those that are served, which makes it each time that it is asked for. Called on the
+    /// server's thread.
+    std::function<void(const std::string& path, std::function<std::string()> page)> publish;
 };
 
 class Gateway {

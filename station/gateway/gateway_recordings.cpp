@@ -130,13 +130,15 @@ void Gateway::debrief(PageSession& page, const json& id, const std::string& reco
         throw no_instructor("a debriefing");
     const auto folder = folder_of(recording);
     // Nobody finds the page but who asked for it: it is served by a name that cannot be guessed.
-    read({.made = std::async(std::launch::async,
-                             [make = options_.debrief_of, folder] { return json(make(folder)); }),
+    auto& path = debriefs_[recording];
+    if (path.empty()) path = "/debrief-" + make_token();
+    const std::string what_if = path + "-what-if";
+    options_.publish(what_if, [make = options_.what_if_of, folder] { return make(folder); });
+    read({.made = std::async(std::launch::async, [make = options_.debrief_of, folder,
+                                                  what_if] { return json(make(folder, what_if)); }),
           .message =
-              [this, recording](json html) {
-                  auto& path = debriefs_[recording];
-                  if (path.empty()) path = "/debrief-" + make_token();
-                  options_.publish(path, html.get<std::string>());
+              [this, recording, path](json html) {
+                  options_.publish(path, [page = html.get<std::string>()] { return page; });
                   return json{{"op", "debrief"}, {"recording", recording}, {"address", path}};
               },
           .field = "recording",

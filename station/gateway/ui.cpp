@@ -47,8 +47,8 @@ int serve_pages(const UiOptions& options, GatewayOptions wanted) {
     station::catch_stop_signals();
     const Role role = role_of(wanted.seat, wanted.exercise);
     Assets assets(folder_of_pages(), role.pages.front());
-    wanted.publish = [&assets](const std::string& path, std::string html) {
-        assets.add_page(path, std::move(html));
+    wanted.publish = [&assets](const std::string& path, std::function<std::string()> page) {
+        assets.add_page(path, std::move(page));
     };
     wanted.log = [](const std::string& line) { std::cerr << line + '\n' << std::flush; };
     const std::string exercise = wanted.exercise;

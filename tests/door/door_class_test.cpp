@@ -49,6 +49,10 @@ TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver)
     const Answer debriefing = owner().get("/door/debriefing?recording=" + recording);
     EXPECT_EQ(debriefing.status, 200) << debriefing.body;
     EXPECT_THAT(debriefing.body, HasSubstr(recording));
+    const Answer what_if = owner().get("/door/what_if?recording=" + recording);
+    EXPECT_EQ(what_if.status, 200) << what_if.body;
+    EXPECT_THAT(what_if.body, HasSubstr("<h1>What would have kept lost points: " + recording + "</h1>"));
+    EXPECT_EQ(ben.get("/door/what_if?recording=" + recording).status, 401) << "his class is over";
     // Into the history by itself, with who sat there.
     EXPECT_TRUE(eventually([&] {
         return content(folder_ / "door/classes.json").find("\"in_history\": true") != std::string::npos;

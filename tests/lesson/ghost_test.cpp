@@ -1,9 +1,6 @@
 // A ghost: the model run of a lesson laid behind an attempt, played again from where the attempt began.
 
 #include "instructor_console/debrief_page.hpp"
-#include "instructor_console/lesson_files.hpp"
-#include "lesson/play.hpp"
-#include "lesson/seat.hpp"
 #include "recorder/command.hpp"
 #include "recorder/debrief/compare.hpp"
 #include "recorder/debrief/curves.hpp"
@@ -11,9 +8,8 @@
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/ghost.hpp"
 
-#include "server/run/questions.hpp"
+#include "tests/lesson/recorded_lesson.hpp"
 #include "tests/recorder/folder.hpp"
-#include "tests/recorder/taped_session.hpp"
 
 #include <gmock/gmock.h>
 
@@ -27,42 +23,9 @@ using test::Folder;
 using testing::HasSubstr;
 using testing::Not;
 
-const fs::path kConfig = WINDLASS_CONFIG_DIR;
-
-console::LessonFile lesson_file(const char* name) {
-    return console::read_lesson_file(kConfig / "exercises" / name);
-}
-
-/// A lesson played by scripts and recorded, the load as often as a server tells it.
-fs::path recorded(const fs::path& folder, const console::LessonFile& file, const assess::LessonRun& run) {
-    std::vector<lesson::Seat> seats;
-    for (const std::string& script : run.scripts)
-        seats.emplace_back(
-            lesson::Part{.script = trainee::load_script(file.root / script, trainee::Eyes::seat)}, file.def,
-            "trainee-" + std::to_string(seats.size() + 1));
-    test::TapedSession taped(folder, file.def);
-    taped.every = file.def.tick_rate_hz / static_cast<int>(wire::topics::windlass_load.rate);
-    const int look = static_cast<int>(lesson::kLook * file.def.tick_rate_hz);
-    std::size_t noticed = 0;
-    while (!taped.session().assessor().ended()) {
-        if (taped.session().now_tick() % static_cast<std::uint64_t>(look) == 0) {
-            for (run::ReceivedOrder& order :
-                 lesson::look_and_act(seats, taped.session().snapshot(), taped.session().status()))
-                taped.give(std::move(order.what), order.source.c_str());
-        }
-        taped.run(1);
-        for (const bool forecastle : {true, false})
-            if (taped.session().assessor().open_question(forecastle) >= 0)
-                if (auto answer =
-                        lesson::answer_to(run::question_to(forecastle, taped.session().assessor()), seats))
-                    taped.give(std::move(answer->what), answer->source.c_str());
-        for (; noticed < taped.heard().size(); ++noticed)
-            for (lesson::Seat& seat : seats)
-                seat.notice(taped.heard()[noticed], taped.session().snapshot());
-    }
-    taped.close();
-    return folder;
-}
+using test::kConfig;
+using test::lesson_file;
+using test::recorded;
 
 debrief::Attempt read(const fs::path& path) {
     recording::Recording recording({path});
@@ -148,7 +111,7 @@ TEST(Ghost, IsDrawnPalerWithDashesAndWordsAndTheSameBytesAgain) {
     EXPECT_THAT(page, HasSubstr("stroke-dasharray=\"6 4\" class=\"ghost\""));
     EXPECT_THAT(page, HasSubstr("id=\"ghost-off\"")) << "it can be put out of sight";
     EXPECT_THAT(debrief::page_of(attempt, {}), Not(HasSubstr("class=\"ghost\"")));
-    EXPECT_THAT(console::debrief_page(path, kConfig),
+    EXPECT_THAT(console::debrief_page(path, kConfig, ""),
                 HasSubstr(">the same, as the model hands did it</text>"))
         << "by the desk's button";
     const debrief::Attempt twice = ghost_of(path, attempt);
@@ -185,7 +148,7 @@ TEST(Ghost, WithoutItsScriptThePageIsMadeAndSaysWhyThereIsNone) {
     const debrief::Attempt attempt = debrief::read_attempt(recording);
     EXPECT_THAT([&] { model_ghost(recording, attempt, folder / "nowhere"); },
                 testing::ThrowsMessage<std::runtime_error>(HasSubstr("is not there; --config says where")));
-    EXPECT_THAT(console::debrief_page(path, folder / "nowhere"),
+    EXPECT_THAT(console::debrief_page(path, folder / "nowhere", ""),
                 HasSubstr("<p>The model run is not laid behind the curves: "));
 }
 

@@ -75,6 +75,7 @@ private:
         run::SessionOptions options;
         options.check = config::check_definition;
         options.first_run = 1'700'000'000'000;
+        options.seed = 1;
         return options;
     }
 
