@@ -128,11 +128,11 @@ std::optional<TwoCourses> two_courses(Trials& trials, const Answer& answer) {
     const std::uint64_t from = std::max(trials.first_tick(), changed - std::min(changed, before));
     const std::uint64_t until =
         std::max(trials.ticks(answer.lost_time), changed) + trials.ticks(kWindowBehind);
-    const double pictured = std::max(both.lost, both.changed);
+    double last = trials.seconds(until); // s, of the pictures
     const auto go = [&](const Variation& variation, std::vector<Point> TwoCurves::*into,
                         std::optional<exercise::Snapshot>& picture) {
         trials.show(variation, from, until, [&](const exercise::Snapshot& seen, const assess::State& state) {
-            if (!picture || seen.time <= pictured) picture = seen;
+            if (!picture || seen.time <= last) picture = seen;
             for (std::vector<Asked>& way : ways)
                 for (Asked& each : way)
                     if (const auto* tackle = assess::tackle_of(seen, each.side))
@@ -141,8 +141,9 @@ std::optional<TwoCourses> two_courses(Trials& trials, const Answer& answer) {
                                 {seen.time, assess::figure(each.curves.quantity, seen, *tackle, state)});
         });
     };
-    go({.orders = trials.orders(), .from = from}, &TwoCurves::was, both.was);
     go(variation_of(trials, answer), &TwoCurves::would, both.would);
+    if (both.would) last = both.would->time;
+    go({.orders = trials.orders(), .from = from}, &TwoCurves::was, both.was);
 
     const auto found = std::ranges::find_if(
         ways, [&](const std::vector<Asked>& way) { return std::ranges::any_of(way, differs); });

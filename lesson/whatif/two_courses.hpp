@@ -26,7 +26,7 @@ struct TwoCurves {
 struct TwoCourses {
     double changed = 0, lost = 0;  ///< s of exercise: the first thing that is otherwise; when it was lost
     std::vector<TwoCurves> curves; ///< empty: nothing moves otherwise than it did
-    /// Both at the loss, or at the change where that is later; a run that ends sooner, at its end.
+    /// Both at the last moment to which both go.
     std::optional<exercise::Snapshot> was, would;
 };
 

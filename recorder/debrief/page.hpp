@@ -49,7 +49,7 @@ struct Remedy {
     std::vector<TwoCourses> courses = {}; ///< of a change that moves anything
     bool only_said = false;               ///< nothing moves otherwise than it did: the change is one of words
     int side = 0;                         ///< whose cable the pictures are of
-    std::optional<SceneAt> was = {}, would = {}; ///< at the same moment; nothing: no change helps
+    std::optional<SceneAt> was = {}, would = {}; ///< at the end of the curves; nothing: no change helps
 };
 
 struct PageOptions {

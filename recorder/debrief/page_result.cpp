@@ -204,7 +204,7 @@ std::string courses(const PageContext& page, const Judgement& judgement) {
     return "<h3>As it was, and as it would have been</h3>\n<p>Each answer was really "
            "played: its one change with all other hands as recorded, or the model hands from there on. The "
            "plots go from twenty seconds before that until half a minute behind the loss, the pictures "
-           "are of when it was lost: a cable&#39;s line is wider and redder with its tension.</p>\n" +
+           "are of their last moment: a cable&#39;s line is wider and redder with its tension.</p>\n" +
            html;
 }
 
