@@ -27,7 +27,8 @@ const { build } = /** @type {typeof import("esbuild")} */ (need("esbuild"));
 const { metafile } = await build({
   ...found,
   absWorkingDir: here,
-  entryPoints: [...names.map((n) => `src/pages/${n}.ts`), "src/kit/kit.css"],
+  // The last is a module of the audio's own thread, which a page loads by its address (sound/strikes.ts).
+  entryPoints: [...names.map((n) => `src/pages/${n}.ts`), "src/kit/kit.css", "src/sound/strikes_processor.ts"],
   outdir: join(output, "assets"),
   entryNames: "[name]",
   bundle: true,

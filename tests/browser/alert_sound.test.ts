@@ -11,17 +11,28 @@ const rig = new Rig();
 const pages = {} as Record<"bridge" | "watch" | "desk", TestPage>;
 
 /**
- * window.beeps: tones that were laid out on this page's loudspeaker; window.audio: its context. As browsers do unless
- * they are told otherwise, sound waits for the first touch of the page.
+ * window.beeps: how often this page's loudspeaker became loud; window.audio: its context. As browsers do unless they
+ * are told otherwise, sound waits for the first touch of the page.
  */
 const listen = () => {
   localStorage.setItem("windlass.views", "plan");
   window.beeps = 0;
-  const { start } = OscillatorNode.prototype;
-  OscillatorNode.prototype.start = function (...when) {
-    window.beeps += 1;
-    return start.apply(this, when);
-  };
+  const connect = AudioNode.prototype.connect as (this: AudioNode, to: AudioNode, ...more: number[]) => AudioNode;
+  AudioNode.prototype.connect = function (this: AudioNode, to: AudioNode, ...more: number[]) {
+    if (to === this.context.destination) {
+      const ear = new AnalyserNode(this.context);
+      connect.call(this, ear);
+      const heard = new Float32Array(ear.fftSize); // 40 ms and more
+      let loud = false;
+      setInterval(() => {
+        ear.getFloatTimeDomainData(heard);
+        const before = loud;
+        loud = heard.some((value) => Math.abs(value) > 0.01);
+        if (loud && !before) window.beeps += 1;
+      }, 20);
+    }
+    return connect.call(this, to, ...more);
+  } as typeof AudioNode.prototype.connect;
   let touched = false;
   addEventListener("pointerdown", () => (touched = true), true);
   window.AudioContext = class extends AudioContext {
@@ -126,7 +137,7 @@ test("acknowledged on one page it is silent on all, and the next one sounds", as
     eventually(`${name} has it`, async () => /, acknowledged/.test(await alert(page).textContent())),
   );
   const heard = await each((page) => page.evaluate(() => ({ beeps: window.beeps, time: window.audio.currentTime })));
-  // Two turns of a warning's pattern later nothing was added but what was laid out before.
+  // Two turns of a warning's pattern later none was heard again.
   await each((page, name) =>
     eventually(`${name} plays on`, () =>
       page.evaluate((before) => window.audio.currentTime > before + 7, heard[Object.keys(pages).indexOf(name)].time),

@@ -457,6 +457,25 @@ test("an alert sounds, is acknowledged by F2, and stays until it is rectified", 
   await eventually("it is rectified", async () => (await unattended.count()) === 0);
 });
 
+test("the deck's blows are made on the audio's own thread, as far as the station lets its page", async () => {
+  const listening = await openPage(address(), {
+    // window.beeps: how many there are that make them
+    init: () => {
+      window.beeps = 0;
+      window.AudioWorkletNode = class extends AudioWorkletNode {
+        constructor(...given: ConstructorParameters<typeof AudioWorkletNode>) {
+          super(...given);
+          window.beeps += 1;
+        }
+      };
+    },
+  });
+  await listening.locator("h1").click();
+  await eventually("links and claws of both windlasses", () => listening.evaluate(() => window.beeps === 4));
+  hadNoProblems(listening);
+  await closePage(listening);
+});
+
 test("what the instructor takes is said plainly, follows him, and comes back", async () => {
   await page.keyboard.press("ArrowDown");
   await eventually("mine", async () => (await owner()) === "mine");

@@ -5,8 +5,8 @@ import type axe from "axe-core";
 import type * as alarm from "../../station/web/src/sound/alarm";
 import type * as chain from "../../station/web/src/sound/chain";
 import type * as deck from "../../station/web/src/sound/deck";
-import type * as player from "../../station/web/src/sound/player";
 import type * as samples from "../../station/web/src/sound/samples";
+import type * as strikes from "../../station/web/src/sound/strikes";
 import type * as voices from "../../station/web/src/sound/voices";
 import type { Connection } from "../../station/web/src/wire/connection";
 
@@ -16,7 +16,7 @@ declare global {
     axe: typeof axe;
     /** Of the forecastle's page. */
     windlass: { link: Connection; stats: () => { triangles: number; fps: number } | undefined };
-    /** Tones that were laid out on the page's loudspeaker, and its context. */
+    /** How often the page's loudspeaker became loud, and its context. */
     beeps: number;
     audio: AudioContext;
     /** A stand-in for navigator.getGamepads gives these. */
@@ -41,7 +41,7 @@ declare global {
     /** Points of the longest dotted line in each plot, and in the plan. */
     dotted: Record<string, number>;
     /** The modules of the deck's sound. */
-    sound: typeof chain & typeof alarm & typeof deck & typeof player & typeof samples & typeof voices;
+    sound: typeof chain & typeof alarm & typeof deck & typeof samples & typeof strikes & typeof voices;
   }
   interface CanvasRenderingContext2D {
     /** Of the path that is drawn, as tests count them. */

@@ -5,6 +5,7 @@ import { kByHand } from "../kit/orders";
 import { DeckSound } from "../sound/deck";
 import type { Ears, Places } from "../sound/place";
 import type { SoundPlayer } from "../sound/player";
+import { loadStrikes } from "../sound/strikes";
 import { standOf } from "../scene/cameras";
 import { type Rig, deckHeight, rig } from "../scene/rig";
 import { sub, unit } from "../scene/vec";
@@ -50,7 +51,7 @@ export class Sounds {
     private readonly ears: () => Ears | undefined,
   ) {
     this.player = page.alerts.sound.player;
-    this.player.onStart((context, out) => (this.deck = new DeckSound(context, out)));
+    this.player.onStart((context, out) => void this.begin(context, out));
     const { link } = page;
     link.on("SceneDescription", (scene) => (this.rigs = rigsOf(scene)));
     link.on("SeatEvent", (event) => {
@@ -64,6 +65,11 @@ export class Sounds {
       this.note("talkback", t("talkback calls"));
     });
     everySecond(20, (now) => this.play(now));
+  }
+
+  private async begin(context: AudioContext, out: AudioNode): Promise<void> {
+    await loadStrikes(context);
+    this.deck = new DeckSound(context, out);
   }
 
   /** Short sounds of the last seconds in words, by what sounded. */

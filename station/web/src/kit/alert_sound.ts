@@ -1,7 +1,7 @@
 // The sound of alerts, on every page that shows them: of the most urgent one that is neither acknowledged nor silenced.
 
 import { AlarmSound } from "../sound/alarm";
-import { SoundPlayer, kAhead } from "../sound/player";
+import { SoundPlayer } from "../sound/player";
 import type { AlertPriority } from "../wire/generated";
 import { h, setAttribute, setText } from "./dom";
 import { t } from "./language";
@@ -44,6 +44,6 @@ export class AlertSound {
 
   private play(): void {
     const { time, running } = this.player;
-    if (running) this.alarm?.play(this.sounding(), time, time + kAhead);
+    if (running) this.alarm?.play(this.sounding(), time);
   }
 }

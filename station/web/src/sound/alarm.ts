@@ -4,7 +4,7 @@
 // at hand). Here they come sooner: who learns does not wait a minute.
 
 import { AlertPriority } from "../wire/generated";
-import { beep } from "./voices";
+import { beep, looped } from "./voices";
 
 interface Pattern {
   /** s from one beginning to the next. */
@@ -36,22 +36,44 @@ const patterns: Partial<Record<AlertPriority, Pattern>> = {
   },
 };
 
+const kEdge = 0.01; // s, of a tone's beginning and end
+const kHighest = 12000; // Hz, of what a tone is made of
+
+/** One round of a pattern: square tones with soft ends. */
+function roundOf(context: BaseAudioContext, { every, beeps, level }: Pattern): AudioBuffer {
+  const { sampleRate } = context;
+  const buffer = context.createBuffer(1, Math.round(every * sampleRate), sampleRate);
+  const data = buffer.getChannelData(0);
+  for (const { at, seconds, frequency } of beeps)
+    for (let i = 0; i < seconds * sampleRate; ++i) {
+      const t = i / sampleRate;
+      let value = 0;
+      for (let k = 1; k * frequency < kHighest; k += 2) value += Math.sin(2 * Math.PI * k * frequency * t) / k;
+      const edge = Math.min(1, t / kEdge, (seconds - t) / kEdge);
+      data[Math.round(at * sampleRate) + i]! += (4 / Math.PI) * level * edge * value;
+    }
+  return buffer;
+}
+
+/** Goes round on the audio's own thread, so that it sounds on while the page is busy. */
 export class AlarmSound {
-  private next = 0;
+  private sounding: AlertPriority | undefined;
+  private source: AudioBufferSourceNode | undefined;
 
   constructor(
     private readonly context: BaseAudioContext,
     private readonly out: AudioNode,
   ) {}
 
-  /** Lays out the tones up to `until`; priority: of what sounds now, undefined: nothing. */
-  play(priority: AlertPriority | undefined, time: number, until: number): void {
+  /** From time on (s of the context); priority: of what sounds now, undefined: nothing. */
+  play(priority: AlertPriority | undefined, time: number): void {
+    if (priority === this.sounding) return;
+    this.sounding = priority;
+    this.source?.stop(time);
+    this.source = undefined;
     const pattern = priority === undefined ? undefined : patterns[priority];
     if (!pattern) return;
-    if (this.next < time) this.next = time;
-    for (; this.next < until; this.next += pattern.every)
-      for (const { at, seconds, frequency } of pattern.beeps)
-        beep(this.context, this.out, "square", frequency, this.next + at, seconds, pattern.level);
+    this.source = looped(this.context, this.out, roundOf(this.context, pattern), 0, time);
   }
 }
 

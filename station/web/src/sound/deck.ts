@@ -6,8 +6,8 @@ import { BrakeSound } from "./brake";
 import { ChainSound } from "./chain";
 import { type DriveState, ElectricDriveSound, HydraulicDriveSound } from "./drive";
 import { type Ears, type Places, listen, placed } from "./place";
-import { kAhead } from "./player";
 import { splash, struck, whiteNoise } from "./samples";
+import { Strikes } from "./strikes";
 import { SurroundingsSound } from "./surroundings";
 import { gainOf, once } from "./voices";
 
@@ -34,8 +34,7 @@ class WindlassSound {
   private readonly chain: ChainSound;
   private readonly brake: BrakeSound;
   private readonly drive: ElectricDriveSound | HydraulicDriveSound;
-  private readonly claw: AudioBuffer;
-  private nextClaw = 0;
+  private readonly claws: Strikes;
   private clutch: ClutchState | undefined;
 
   constructor(
@@ -51,10 +50,11 @@ class WindlassSound {
     this.chain = new ChainSound(context, { gypsy: this.gypsy, pipe: placed(context, out, pipe) }, noise, diameter);
     this.brake = new BrakeSound(context, this.gypsy, noise);
     this.drive = new (hydraulic ? HydraulicDriveSound : ElectricDriveSound)(context, this.gypsy, noise);
-    this.claw = struck(context, 620, 0.012, 1, 21);
+    const claw = struck(context, 620, 0.012, 1, 21).getChannelData(0);
+    this.claws = new Strikes(context, this.gypsy, { blows: [claw], spread: 0 });
   }
 
-  play(heard: WindlassHeard, time: number, until: number): void {
+  play(heard: WindlassHeard, time: number): void {
     this.chain.play(heard.cableSpeed, heard.load, heard.jumping, time);
     this.brake.play(heard.brakeNoise, heard.cableSpeed, heard.heat, time);
     this.drive.play(heard.drive, time);
@@ -62,10 +62,8 @@ class WindlassSound {
       this.chain.blow(time, 0.2);
     this.clutch = heard.clutch;
     const passing = Math.abs(heard.drive.speed) > 0.02 || Math.abs(heard.cableSpeed) > 0.02;
-    if (heard.clutch !== ClutchState.CLUTCH_ENGAGING || !passing) return;
-    this.nextClaw = Math.max(this.nextClaw, time);
-    for (; this.nextClaw < until; this.nextClaw += 1 / kClatter)
-      once(this.context, this.gypsy, this.claw, this.nextClaw, 0.2);
+    const clatters = heard.clutch === ClutchState.CLUTCH_ENGAGING && passing;
+    this.claws.play(clatters ? kClatter : 0, 0.2, time);
   }
 
   shackle(time: number): void {
@@ -87,7 +85,10 @@ export class DeckSound {
   private readonly surroundings: SurroundingsSound;
   readonly talkback: TalkbackSound;
 
-  /** out: what all goes to. The context may be a real one or an OfflineAudioContext. */
+  /**
+   * out: what all goes to. The context may be a real one or an OfflineAudioContext; its loadStrikes() has been waited
+   * for.
+   */
   constructor(
     private readonly context: BaseAudioContext,
     out: AudioNode,
@@ -109,9 +110,9 @@ export class DeckSound {
     listen(this.context, ears, time);
   }
 
-  /** Lays out what is heard of a side from time on; s of the context. */
+  /** What is heard of a side from time on; s of the context. */
   windlass(side: number, heard: WindlassHeard, time: number): void {
-    this.windlasses[side]?.play(heard, time, time + kAhead);
+    this.windlasses[side]?.play(heard, time);
   }
   /** force: Beaufort. */
   wind(force: number, time: number): void {

@@ -5,9 +5,6 @@ import { gainOf, limiter } from "./voices";
 
 const kLevel = 0.7;
 
-/** Ahead of now, s, to which sounds are laid out: longer than a slow frame. */
-export const kAhead = 0.15;
-
 export class SoundPlayer {
   private readonly context = new AudioContext();
   private readonly master = gainOf(this.context, this.context.destination, kLevel);

@@ -29,18 +29,19 @@ export function filterOf(
   return filter;
 }
 
-/** A buffer that goes round for ever. */
+/** A buffer that goes round for ever; offset: s into it, time: s of the context, from which it sounds. */
 export function looped(
   context: BaseAudioContext,
   out: AudioNode,
   buffer: AudioBuffer,
   offset = 0,
+  time = 0,
 ): AudioBufferSourceNode {
   const source = context.createBufferSource();
   source.buffer = buffer;
   source.loop = true;
   source.connect(out);
-  source.start(0, offset);
+  source.start(time, offset);
   return source;
 }
 
@@ -58,9 +59,6 @@ export function tone(
   return oscillator;
 }
 
-/** Calls off what was laid out and has not begun. */
-export type CallOff = () => void;
-
 /** Plays a buffer once. time: s of the context; rate: of its own pitch. */
 export function once(
   context: BaseAudioContext,
@@ -69,7 +67,7 @@ export function once(
   time: number,
   level: number,
   rate = 1,
-): CallOff {
+): void {
   const source = context.createBufferSource();
   source.buffer = buffer;
   source.playbackRate.value = rate;
@@ -77,10 +75,6 @@ export function once(
   source.connect(gain);
   source.onended = () => gain.disconnect();
   source.start(time);
-  return () => {
-    source.stop(0); // before its start: it never sounds
-    gain.disconnect();
-  };
 }
 
 /** What keeps all sounds together from clipping, and leaves what is below -6 dB of full scale as it is. */
