@@ -40,6 +40,8 @@ declare global {
     trackPoints: number;
     /** Points of the longest dotted line in each plot, and in the plan. */
     dotted: Record<string, number>;
+    /** Of the plan's last picture: ends of the parallel index's lines, and the first bearing line's ring, px. */
+    laid: { lines: [number, number][][]; ring: number };
     /** The modules of the deck's sound. */
     sound: typeof chain & typeof alarm & typeof deck & typeof samples & typeof strikes & typeof voices;
   }

@@ -12,6 +12,7 @@ import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { type ExercisePage, everyFrame, everySecond, openExercisePage } from "../kit/page";
 import { OwnMarks } from "../kit/own_marks";
 import { Speech } from "../kit/speech";
+import { ParallelIndex } from "../plan/parallel_index";
 import { PlanView } from "../plan/plan_view";
 import { bridgeEye } from "../surroundings/bridge_eye";
 import { AnchorPlot } from "./anchor_plot";
@@ -62,7 +63,9 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   );
   // Where the page is narrow, plan and view take turns.
   const look = (out: boolean): void => setAttribute(page.root, "data-looks-out", out ? "" : undefined);
-  const chart = new PlanView(plan);
+  const index = new ParallelIndex();
+  link.on("ExerciseStatus", ({ exercise }) => index.belongsTo(link.hello?.exercise ?? exercise));
+  const chart = new PlanView(plan, index);
   const view = new ViewOut(
     page,
     h("button", { class: "plain to-plan", type: "button", onclick: () => look(false) }, t("Plan")),

@@ -5,15 +5,21 @@
 //   plan.update({ ship, lines: [{ kind: "track", points }], circles, marks, soundings, landmarks, wind, stream });
 //   plan.onCircle((id, radius) => ...);   // a rim was dragged
 //
+// A plan that is made with a ParallelIndex has its lines and its button, too.
+//
 // It draws only what changed, 20 times a second at most, and follows palette, size and pixel density by itself.
 
 import "./plan.css";
 
 import { h } from "../kit/dom";
 import { onPalette } from "../kit/palette";
+import { Popover } from "../kit/popover";
+import { degrees, radians } from "../kit/units";
 import { planColours } from "./colours";
 import * as layers from "./layers";
+import { indexForm } from "./index_form";
 import { type Grip, Measuring } from "./measuring";
+import { type ParallelIndex, kIndexUnits } from "./parallel_index";
 import { type PlanPicture, type PlanShip, emptyPicture } from "./picture";
 import { type Pixel, Projection, distance } from "./projection";
 import { land, surroundings } from "./surroundings";
@@ -34,6 +40,7 @@ export class PlanView {
     "aria-label": t("plan: arrows move it, plus and minus zoom, Home brings own ship back"),
   });
   private readonly tools: PlanTools;
+  private readonly popover: Popover;
   private picture: PlanPicture = emptyPicture();
   private colours = planColours();
   private headUp_ = false;
@@ -46,9 +53,14 @@ export class PlanView {
   private held: Grip | undefined;
   private readonly circleListeners = new Set<(id: string, radius: number) => void>();
 
-  constructor(container: HTMLElement) {
+  constructor(
+    container: HTMLElement,
+    readonly index?: ParallelIndex,
+  ) {
     this.tools = new PlanTools(this);
     this.element = h("div", { class: "plan" }, this.canvas, this.tools.element);
+    this.popover = new Popover(this.element);
+    index?.onChange(() => this.redraw());
     container.append(this.element);
     this.at.scale = 0.8; // px/m: a ship of 225 m is 180 px long
     this.listen();
@@ -133,6 +145,17 @@ export class PlanView {
     this.redraw();
   }
 
+  /** Opens the form of the parallel index, or shuts it. */
+  showIndex(from: HTMLElement): void {
+    if (!this.index) return;
+    const inSight = (0.2 * Math.min(this.at.width, this.at.height)) / this.at.scale;
+    const fresh = (): { course: number; off: number } => ({
+      course: Math.round(degrees(this.ship?.heading ?? 0)) * radians(1),
+      off: Math.max(1, Math.round(inSight / kIndexUnits.cable)) * kIndexUnits.cable,
+    });
+    this.popover.show(t("Parallel index"), from, ...indexForm(this.index, fresh));
+  }
+
   /** Puts a bearing line on own ship, half the screen long, or takes it away. */
   toggleBearing(which: 0 | 1): void {
     const l = this.measuring.lines[which];
@@ -193,6 +216,7 @@ export class PlanView {
     if (picture.ship) layers.ownShip(sheet, picture.ship);
     if (picture.ahead) layers.ahead(sheet, picture.ahead);
     layers.marks(sheet, picture.marks);
+    this.index?.draw(sheet, picture.ship);
     this.measuring.draw(sheet, picture.ship);
     layers.compassRose(sheet, picture);
     layers.scaleBar(sheet);
@@ -224,7 +248,8 @@ export class PlanView {
           },
         };
       });
-    return [...this.measuring.grips(this.at, this.picture.ship), ...rims];
+    const { ship } = this.picture;
+    return [...this.measuring.grips(this.at, ship), ...(this.index?.grips(this.at, ship) ?? []), ...rims];
   }
 
   private listen(): void {

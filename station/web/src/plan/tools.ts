@@ -3,6 +3,7 @@
 import { h, setAttribute, setText } from "../kit/dom";
 import { radians } from "../kit/units";
 import type { Measuring } from "./measuring";
+import type { ParallelIndex } from "./parallel_index";
 import { t } from "../kit/language";
 
 /** What the buttons act on: the plan. */
@@ -11,11 +12,13 @@ export interface PlanActions {
   headUp: boolean;
   rings: boolean;
   readonly measuring: Measuring;
+  readonly index?: ParallelIndex | undefined;
   readonly ship: { heading: number } | undefined;
   zoom(factor: number): void;
   fit(): void;
   toggleBearing(which: 0 | 1): void;
   toggleRuler(): void;
+  showIndex(from: HTMLElement): void;
   redraw(): void;
 }
 
@@ -68,7 +71,19 @@ export class PlanTools {
         () => plan.toggleRuler(),
         () => plan.measuring.rulerText(),
       ),
+      ...(plan.index ? [this.indexButton(plan.index)] : []),
     );
+  }
+
+  private indexButton(index: ParallelIndex): HTMLElement {
+    const button = this.toggle(
+      "PI",
+      t("parallel index: lines parallel to a course, at a distance from own ship"),
+      () => index.lines.some(({ on }) => on),
+      () => this.plan.showIndex(button),
+    );
+    setAttribute(button, "aria-haspopup", "dialog");
+    return button;
   }
 
   /** Follows the plan's state. */

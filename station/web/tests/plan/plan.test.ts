@@ -9,6 +9,7 @@ import { kNauticalMile } from "../../src/kit/units";
 import { waterline } from "../../src/plan/hull_outline";
 import { Measuring } from "../../src/plan/measuring";
 import { distanceText, roundLength } from "../../src/plan/layers";
+import { ParallelIndex, courseThrough, relativeTo } from "../../src/plan/parallel_index";
 import { Projection, directionTo, ofShip, pointAt } from "../../src/plan/projection";
 import { named } from "../../src/plan/surroundings";
 import { thin } from "../../src/plan/thin";
@@ -140,4 +141,46 @@ test("a bearing that the eye on the bridge took goes through its mark on the pla
   near(directionTo(ofShip(ship, eye, 0), there), taken, 1e-6);
   assert.ok(Math.hypot(there.x - mark.x, there.y - mark.y) < 6, "a kilometre along it from the eye is the mark");
   near(Math.abs(taken - directionTo(ship, mark)) / kDegree, 5.1, 0.1);
+});
+
+test("a parallel index goes with own ship, at its distance, and does not turn with her heading", () => {
+  const at = Object.assign(new Projection(), { width: 800, height: 600, scale: 0.5 });
+  const index = new ParallelIndex();
+  const off = 0.2 * kNauticalMile;
+  index.set(0, { on: true, course: 30 * kDegree, off });
+  const held = (ship: { x: number; y: number; heading: number }): { x: number; y: number } => {
+    const [turn, line] = index.grips(at, ship);
+    const place = at.toWorld(turn!.at);
+    near(relativeTo(ship, 30 * kDegree, place).off, off, 1e-6);
+    for (const far of [-2000, 0, 3000]) {
+      const p = pointAt(pointAt(ship, 120 * kDegree, off), 30 * kDegree, far);
+      near(line!.hit(at.toScreen(p.x, p.y)), 6, 1e-6); // px, by which a grip goes before a line
+    }
+    return place;
+  };
+  const before = held({ x: 0, y: 0, heading: 0 });
+  assert.deepEqual(held({ x: 0, y: 0, heading: 1.3 }), before);
+  const after = held({ x: 250, y: -100, heading: 1.3 });
+  near(after.x - before.x, 250, 1e-6);
+  near(after.y - before.y, -100, 1e-6);
+  assert.deepEqual(index.grips(at, undefined), [], "without GPS or gyro there is none");
+});
+
+test("a parallel index is dragged to its distance, over to the other side, and to its course", () => {
+  const at = Object.assign(new Projection(), { width: 800, height: 600, scale: 0.5 });
+  const ship = { x: 40, y: 60, heading: 2 };
+  const index = new ParallelIndex();
+  index.set(1, { on: true, course: 0, off: 300 });
+  const drag = (which: 0 | 1, to: { x: number; y: number }): void => index.grips(at, ship)[which]!.move(to);
+  drag(1, pointAt(ship, -90 * kDegree, 0.35 * kNauticalMile));
+  near(index.lines[1].off, -0.35 * kNauticalMile, 1e-6);
+  near(index.lines[1].course, 0);
+  // On a course of 60 degrees the line leads 0.35 miles to port of her.
+  drag(0, pointAt(pointAt(ship, -30 * kDegree, 0.35 * kNauticalMile), 60 * kDegree, 900));
+  near(index.lines[1].course, 60 * kDegree, 1e-9);
+  near(index.lines[1].off, -0.35 * kNauticalMile, 1e-6);
+  assert.equal(index.text(1), "PI 2 060.0\u00b0, 0.35 NM");
+  index.setUnit("cable");
+  assert.equal(index.text(1), "PI 2 060.0\u00b0, 3.5 cables");
+  near(courseThrough(ship, 200, pointAt(ship, 10 * kDegree, 100)), 280 * kDegree, 1e-9); // nearer than the line: abeam
 });
