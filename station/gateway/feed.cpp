@@ -20,7 +20,7 @@ std::uint32_t number_of(Feed::Kind kind, const wire::TopicInfo& topic) {
             rows, [&](const wire::TopicInfo& each) { return std::string_view(each.name) == topic.name; });
         return static_cast<std::uint32_t>(found - rows.begin()) + 1;
     };
-    return kind == Feed::Kind::exercise ? row(wire::topics::all) : kClassroom + row(wire::topics::classroom);
+    return kind == Feed::Kind::classroom ? kClassroom + row(wire::topics::classroom) : row(wire::topics::all);
 }
 
 std::string name_of(Feed::Kind kind, const wire::TopicInfo& topic) {
@@ -45,14 +45,14 @@ constexpr std::array kQuestions{wire::topics::forecastle_question.name, wire::to
 
 /// One topic: its reader, what is kept of it, and who listens.
 struct Feed::Line {
-    Line(Feed& of, const Channel& channel, bool many_writers)
+    Line(Feed& of, const Channel& channel, Kind kind)
         : feed{of},
           number{channel.number},
           topic{*channel.topic},
           only_newest{newest_only(topic)},
-          has_past{past_of(topic).frames > 0},
+          has_past{kind != Kind::newest && past_of(topic).frames > 0},
           is_status{std::string_view(topic.name) == wire::topics::exercise_status.name},
-          history{topic, many_writers} {}
+          history{topic, kind == Kind::classroom, kind != Kind::newest} {}
 
     void pass_on(const wire::RawSample& sample) {
         auto frame = std::make_shared<SharedFrame>();
@@ -93,7 +93,7 @@ Feed::Feed(wire::Participant participant, Kind kind, const Topics& topics)
     for (const wire::TopicInfo* topic : topics)
         channels_.push_back({number_of(kind, *topic), name_of(kind, *topic), topic});
     for (const Channel& channel : channels_)
-        lines_.push_back(std::make_unique<Line>(*this, channel, kind == Kind::classroom));
+        lines_.push_back(std::make_unique<Line>(*this, channel, kind));
     // Only now: a status that is heard is told to all lines.
     for (const auto& line : lines_)
         line->reader.emplace(participant_, line->topic,

@@ -31,7 +31,8 @@ std::uint32_t number_of(const std::vector<Channel>& channels, const wire::TopicI
 
 class Feed final : public Source {
 public:
-    enum class Kind { exercise, classroom };
+    /// newest: an exercise, without the past of what is drawn over time.
+    enum class Kind { exercise, newest, classroom };
 
     /// The participant is already in the partition, and has raw ends of these topics only. Throws
     /// std::runtime_error when a reader cannot be made: its role may not read the topic.

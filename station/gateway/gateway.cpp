@@ -114,6 +114,28 @@ bool Gateway::order_classroom(const wire::TopicInfo& topic, const json& sample, 
     return true;
 }
 
+json Gateway::look_at_forecastle(const std::string& exercise, std::int64_t since) {
+    using std::chrono::microseconds;
+    const Topics hears = role_of(options_.seat, exercise).hears;
+    const bool may = std::ranges::all_of(camera_topics(), [&](const wire::TopicInfo* topic) {
+        return std::ranges::any_of(
+            hears, [&](const wire::TopicInfo* each) { return std::string_view(each->name) == topic->name; });
+    });
+    if (!may || !has_truth(options_.seat))
+        throw Refused("", "", "the cameras of other exercises", "for who has their truth");
+    const auto all = live();
+    if (std::ranges::find(all, exercise) == all.end())
+        throw Refused("", "exercise", exercise, "an exercise that a server here has");
+    const auto now = Clock::now();
+    try {
+        json samples = cameras_.look(member_, exercise, Clock::time_point{microseconds{since}}, now);
+        const auto at = std::chrono::duration_cast<microseconds>(now.time_since_epoch()).count();
+        return {{"at", at}, {"samples", std::move(samples)}};
+    } catch (const std::runtime_error& error) {
+        throw Refused("", "exercise", exercise, error.what());
+    }
+}
+
 void Gateway::tick(Clock::time_point now) {
     for (auto at = desks_.begin(); at != desks_.end();) {
         Desk& each = at->second;
@@ -127,6 +149,7 @@ void Gateway::tick(Clock::time_point now) {
     next_news_ = now + kNews;
     tend_recorders();
     tend_replays(now);
+    cameras_.tick(now);
     tell_news();
     tell_alerts();
 }

@@ -3,6 +3,7 @@
 // says otherwise. docs/gateway.md has the protocol.
 
 #include "station/gateway/alert_watch.hpp"
+#include "station/gateway/camera_watch.hpp"
 #include "station/gateway/exercise_desk.hpp"
 #include "station/gateway/line_log.hpp"
 #include "station/gateway/recorder_process.hpp"
@@ -73,6 +74,11 @@ public:
     /// Throws Refused.
     bool order_classroom(const wire::TopicInfo& topic, const nlohmann::json& sample,
                          const std::string& by = {});
+
+    /// What the camera on the forecastle of a live exercise sees, of what was heard later than that look of a
+    /// page, for who has the truth: `at`, of this look, and `samples` as samples_since() has them. Throws
+    /// Refused.
+    nlohmann::json look_at_forecastle(const std::string& exercise, std::int64_t since);
 
     /// An instructor's: records an exercise from now on, or no longer. name: of the recording; empty: one is
     /// made of the exercise's and the time. Throws Refused.
@@ -154,7 +160,8 @@ private:
     wire::Participant member_;
     std::unique_ptr<Feed> classroom_;
     std::unique_ptr<OrderWriters> classroom_orders_;
-    AlertWatch alerts_;                 // while a page watches the classroom
+    AlertWatch alerts_; // while a page watches the classroom
+    CameraWatch cameras_;
     std::map<std::string, Desk> desks_; // by exercise
     std::set<PageSession*> pages_;
     std::map<std::string, Recording> recordings_; // by exercise

@@ -140,9 +140,9 @@ void Past::drop_last() {
     frames_.pop_back();
 }
 
-History::History(const wire::TopicInfo& topic, bool many_writers)
+History::History(const wire::TopicInfo& topic, bool many_writers, bool with_past)
     : depth_(depth_kept(topic)),
-      past_(past_of(topic)),
+      past_(with_past ? past_of(topic) : PastBounds{}),
       instances_(static_cast<std::size_t>(topic.instances)),
       many_writers_(many_writers || !topic.from_server),
       ages_(many_writers) {}

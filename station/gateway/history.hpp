@@ -77,8 +77,8 @@ private:
 class History {
 public:
     /// many_writers: each with instances of its own (servers in the classroom), so that one that speaks does
-    /// not end what others said; such samples grow old.
-    explicit History(const wire::TopicInfo& topic, bool many_writers = false);
+    /// not end what others said; such samples grow old. with_past: as past_of() the topic has it.
+    explicit History(const wire::TopicInfo& topic, bool many_writers = false, bool with_past = true);
 
     /// writer: tells one server from the next. What another wrote is forgotten; what clients say is theirs
     /// together.

@@ -140,6 +140,8 @@ bool PageSession::handle(const std::string& op, const json& message) {
             wind_sea(message);
         else if (op == "watch_classroom")
             watch_classroom(message);
+        else if (op == "camera")
+            camera(message);
         else
             return FoxgloveSession::handle(op, message);
     } catch (const Refused& refusal) {
@@ -221,6 +223,16 @@ void PageSession::watch_classroom(const json& message) {
         throw Refused("", "", "the classroom's alerts", "for an instructor");
     watches_classroom_ = true;
     tell_sent(value(message, "id"));
+}
+
+void PageSession::camera(const json& message) {
+    const std::string exercise = text_of(message, "exercise");
+    const json since = value(message, "since");
+    if (!since.is_number_integer()) throw Refused("", "since", since.dump(), "0, or at of the last answer");
+    json answer = gateway_.look_at_forecastle(exercise, since.get<std::int64_t>());
+    answer["op"] = "camera";
+    answer["exercise"] = exercise;
+    tell(value(message, "id"), answer);
 }
 
 void PageSession::continue_live(const json& message) {

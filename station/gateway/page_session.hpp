@@ -51,6 +51,7 @@ private:
     void exercise_files(const nlohmann::json& message);
     void wind_sea(const nlohmann::json& message);
     void watch_classroom(const nlohmann::json& message);
+    void camera(const nlohmann::json& message);
 
     Gateway& gateway_;
     std::shared_ptr<ExerciseDesk> desk_;

@@ -196,13 +196,14 @@ TEST_F(TraineeAtTheDoor, HearsAndOrdersWhatItsSeatMayAndNothingOfAnyOther) {
         }
         page->say({{"op", "order"}, {"id", ++id}, {"topic", "ClassroomCommand"}, {"sample", json::object()}});
         EXPECT_FALSE(page->wait_for("refused", {{"id", id}}).is_null());
-        for (const char* op :
-             {"record", "continue_live", "read_recording", "debrief", "replay", "watch_classroom"}) {
+        for (const char* op : {"record", "continue_live", "read_recording", "debrief", "replay",
+                               "watch_classroom", "camera"}) {
             page->say({{"op", op},
                        {"id", ++id},
                        {"on", true},
                        {"recording", "x"},
                        {"position", 0},
+                       {"since", 0},
                        {"exercise", "mon-1"}});
             EXPECT_FALSE(page->wait_for("refused", {{"id", id}}).is_null()) << place << " did " << op;
         }

@@ -2,6 +2,7 @@
 
 #include "idl/payload.hpp"
 #include "station/gateway/alert_watch.hpp"
+#include "station/gateway/camera_watch.hpp"
 #include "station/gateway/event_log.hpp"
 #include "station/gateway/lever_desk.hpp"
 #include "station/gateway/outbox.hpp"
@@ -90,6 +91,39 @@ TEST(AlertToTell, IsTheMostUrgentThatIsNotAcknowledged) {
     EXPECT_EQ(told.at("side"), 1);
     EXPECT_EQ(told.at("raised_time"), 20.0);
     EXPECT_EQ(told.at("waiting"), 3);
+}
+
+TEST(CameraTopics, AreWhatABridgeHasAndNoTruth) {
+    const auto bridge = role_of(station::Seat::conning, "mon-1").hears;
+    for (const wire::TopicInfo* topic : camera_topics())
+        EXPECT_TRUE(std::ranges::any_of(bridge, [&](const wire::TopicInfo* each) {
+            return std::string_view(each->name) == topic->name;
+        })) << topic->name;
+}
+
+TEST(SamplesSince, AreTheNewestOfEachInstanceThatALookBeforeHasNotHad) {
+    const auto heard = [](std::string instance, int mark, int seconds) {
+        auto made = std::make_shared<SharedFrame>();
+        made->instance = std::move(instance);
+        made->payload = {static_cast<std::uint8_t>(mark)};
+        made->heard = kStart + std::chrono::seconds(seconds);
+        return made;
+    };
+    const std::vector<FramePtr> kept{heard("port", 1, 1), heard("starboard", 2, 2), heard("port", 3, 3)};
+    const auto told = [](const char* payload) {
+        return json::array({topics::forecastle_camera.name, payload});
+    };
+    const auto& camera = topics::forecastle_camera;
+    EXPECT_EQ(samples_since(kept, camera, kStart), json::array({told("Aw=="), told("Ag==")}));
+    EXPECT_EQ(samples_since(kept, camera, kStart + 2s), json::array({told("Aw==")}));
+    EXPECT_EQ(samples_since(kept, camera, kStart + 3s), json::array());
+}
+
+TEST(History, OfASmallPictureHasNoPast) {
+    History history(topics::bridge_view, false, false);
+    for (int second = 0; second < 100; ++second)
+        history.keep(at_time(second), "server", kStart);
+    EXPECT_THAT(marks(history.kept(kStart)), ElementsAre(99));
 }
 
 TEST(InstanceOf, IsTheKeyOfEveryKeyedTopic) {
