@@ -148,6 +148,21 @@ test("words and a fault are given to all of them", async () => {
   await owner.locator(".to-all").waitFor({ state: "detached" });
 });
 
+test("the page of the class has a small picture of each forecastle", async () => {
+  const pictures = owner.locator(".exercises .cctv canvas");
+  await eventually("both are drawn", () =>
+    pictures.evaluateAll(
+      (all: HTMLCanvasElement[]) =>
+        all.length === 2 && all.every((one) => one.getContext("2d").getImageData(160, 150, 1, 1).data[3] === 255),
+    ),
+  );
+  await owner.setViewportSize({ width: 1440, height: 900 });
+  await look(owner, "class_cctv");
+  await owner.getByRole("button", { name: "CCTV on" }).click();
+  assert.equal(await pictures.first().isVisible(), false);
+  await owner.getByRole("button", { name: "CCTV off" }).click();
+});
+
 test("a seat that is freed sends its browser to the door", async () => {
   await owner.locator(".seat-button", { hasText: "ben" }).click();
   await on(owner, "Free the seat").click();

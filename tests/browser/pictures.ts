@@ -149,7 +149,9 @@ await session(["lessons", "classroom"], async (rig) => {
   });
   await rig.say("watch-circle", "--radius", "10", "--x", "5000", "--y", "0", "--timeout", "20");
   await rig.say("start", "--timeout", "20");
-  await picture(still(desk.url, "/classroom"), "classroom");
+  await picture(still(desk.url, "/classroom"), "classroom", (page) =>
+    eventually("all forecastles are drawn", async () => (await page.locator(".cctv p:not([hidden])").count()) === 0),
+  );
 });
 
 // The views: each by day, at dusk, by night, in fog and in a gale, of a ship that lies to six shackles.

@@ -57,6 +57,11 @@ export class Program {
     createInterface({ input: child.stdout }).on("line", (line) => this.lines.push(line));
   }
 
+  /** Of its process. */
+  get pid(): number {
+    return this.child.pid;
+  }
+
   /** Its first line on stdout that fits. */
   line(pattern: RegExp): Promise<string> {
     return eventually(`${this.name} says ${pattern}`, () => {

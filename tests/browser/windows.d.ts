@@ -25,6 +25,8 @@ declare global {
     cut: (on: boolean) => void;
     /** That the scene has drawn where the processor draws. */
     pictures: number;
+    /** WebGL contexts that the page has made. */
+    contexts: number;
     /** What the browser's voice has said, and the voices it has. */
     spoken: string[];
     voices: { name: string; lang: string; localService: boolean }[];

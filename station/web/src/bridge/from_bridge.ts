@@ -3,7 +3,7 @@
 
 import { between, mix, mixAngle } from "../scene/follow";
 import type { SceneFrame } from "../scene/frame";
-import type { Connection } from "../wire/connection";
+import type { Samples } from "../scene/from_truth";
 import { trueWind } from "./wind";
 
 const kPlaceTime = 3; // s, over which the steps of GPS are evened out
@@ -17,7 +17,7 @@ export class LookingOut {
   private wind = { speed: 5, from: 0 };
 
   /** now: ms of performance.now(). Undefined before BridgeView is heard. */
-  frame(link: Connection, now: number): SceneFrame | undefined {
+  frame(link: Samples, now: number): SceneFrame | undefined {
     const found = between(link.track("BridgeView"), now);
     if (!found) return undefined;
     const { from, to, share, time } = found;

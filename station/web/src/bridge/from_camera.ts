@@ -3,7 +3,7 @@
 
 import { type SeenBefore, nothingSeen, tackleSeen } from "../scene/from_seat";
 import type { SceneFrame, TackleFrame } from "../scene/frame";
-import type { Connection } from "../wire/connection";
+import type { Samples } from "../scene/from_truth";
 import type { LookingOut } from "./from_bridge";
 
 export class CameraPicture {
@@ -15,7 +15,7 @@ export class CameraPicture {
   constructor(private readonly out: LookingOut) {}
 
   /** now: ms of performance.now(). Undefined before anything is heard. */
-  frame(link: Connection, now: number): SceneFrame | undefined {
+  frame(link: Samples, now: number): SceneFrame | undefined {
     const around = this.out.frame(link, now);
     if (!around || link.latest("BridgeView")?.cctv_works === false) return around;
     const since = around.time - this.time;

@@ -5,9 +5,10 @@ import { type Page, pageAddress } from "../kit/page";
 import { clock, figure } from "../kit/units";
 import type { OrderSample } from "../wire/connection";
 import type { ClassroomStatus, Event } from "../wire/generated";
+import { CctvPictures } from "./cctv";
 import { CreateForm } from "./create_form";
 import { orderIn } from "./exercise_order";
-import { Tile, type TileAlert } from "./tile";
+import { Tile, type TileAlert, type TileWishes } from "./tile";
 import { t } from "../kit/language";
 
 const kLines = 30;
@@ -19,9 +20,11 @@ class Classroom {
   private readonly groups = new Map<string, { element: HTMLElement; figures: HTMLElement; list: HTMLElement }>();
   private readonly tiles = new Map<string, Tile>(); // by server/id
   private readonly create: CreateForm;
+  private readonly cctv: CctvPictures;
   private alerts: Record<string, TileAlert> = {}; // by exercise
 
   constructor(private readonly page: Page) {
+    this.cctv = new CctvPictures(page.link);
     this.create = new CreateForm(
       (sample) => this.give(sample),
       (text) => setText(this.notice, text),
@@ -41,6 +44,7 @@ class Classroom {
         button(t("Start"), () => void this.runChosen("EXERCISE_START")),
         button(t("Pause"), () => void this.runChosen("EXERCISE_PAUSE")),
         this.notice,
+        this.cctv.button,
       ),
       this.servers,
       h(
@@ -119,10 +123,11 @@ class Classroom {
         there.add(name);
         let tile = this.tiles.get(name);
         if (!tile) {
-          tile = new Tile(status.server, exercise.id, {
+          const wishes: TileWishes = {
             run: (id, action) => void this.run(id, action),
             remove: (server, id) => void this.give({ action: "CLASSROOM_REMOVE", server, id }),
-          });
+          };
+          tile = new Tile(status.server, exercise.id, wishes, this.cctv.of(exercise.id));
           this.tiles.set(name, tile);
           const next = [...group.list.children].find((other) => (other as HTMLElement).dataset.id! > exercise.id);
           group.list.insertBefore(tile.element, next ?? null);
@@ -134,6 +139,7 @@ class Classroom {
     for (const [name, tile] of this.tiles)
       if (!there.has(name)) {
         tile.element.remove();
+        this.cctv.forget(tile.id);
         this.tiles.delete(name);
       }
     for (const [name, group] of this.groups)

@@ -44,6 +44,7 @@ export class Tile {
     readonly server: string,
     readonly id: string,
     wishes: TileWishes,
+    picture: HTMLElement,
   ) {
     this.check = h("input", { type: "checkbox", "aria-label": t("choose {id}", { id }) });
     this.start = h(
@@ -66,20 +67,20 @@ export class Tile {
       class: "plain",
       "aria-label": t("remove {id}", { id }),
     });
+    const figures = h(
+      "dl",
+      {},
+      h("div", {}, h("dt", {}, t("speed")), h("dd", {}, this.scale)),
+      h("div", {}, h("dt", {}, t("load of a core")), h("dd", {}, this.load, h("small", {}, " %")), this.bar),
+      h("div", {}, h("dt", {}, t("late")), h("dd", {}, this.late, h("small", {}, " ms"))),
+      h("div", {}, h("dt", {}, t("overruns")), h("dd", {}, this.overruns)),
+    );
     this.element = h(
       "li",
       { class: "tile panel", "data-id": id },
       h("header", {}, this.check, h("h3", {}, id), this.state, this.time),
       this.alert,
-      this.title,
-      h(
-        "dl",
-        {},
-        h("div", {}, h("dt", {}, t("speed")), h("dd", {}, this.scale)),
-        h("div", {}, h("dt", {}, t("load of a core")), h("dd", {}, this.load, h("small", {}, " %")), this.bar),
-        h("div", {}, h("dt", {}, t("late")), h("dd", {}, this.late, h("small", {}, " ms"))),
-        h("div", {}, h("dt", {}, t("overruns")), h("dd", {}, this.overruns)),
-      ),
+      h("div", { class: "glance" }, picture, h("div", { class: "figures" }, this.title, figures)),
       this.failure,
       h("footer", {}, desk, this.start, this.pause, remove),
     );

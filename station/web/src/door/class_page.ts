@@ -4,6 +4,8 @@ import { h, setText } from "../kit/dom";
 import { holdButton } from "../kit/hold_button";
 import { runStateWords } from "../kit/run_state";
 import { clock } from "../kit/units";
+import { CctvPictures } from "../classroom/cctv";
+import { Connection } from "../wire/connection";
 import { RunState } from "../wire/generated";
 import {
   type ClassExercise,
@@ -51,6 +53,7 @@ class ClassPage {
   private readonly said = h("span", { class: "said" });
   /** Of the class that is looked at, by exercise. */
   private readonly tiles = new Map<string, { state: HTMLElement; seats: HTMLElement }>();
+  private readonly cctv = new CctvPictures(new Connection(""));
   /** Of each part, what it was made of. */
   private readonly made = new Map<HTMLElement, string>();
   private heard = false;
@@ -203,7 +206,7 @@ class ClassPage {
           (text) => this.say(text),
         ),
       );
-    bar.append(this.said);
+    bar.append(this.said, this.cctv.button);
     if (this.leads) bar.append(holdButton(t("End the class"), 1, () => void this.do("end"), { class: "end" }));
     return bar;
   }
@@ -239,6 +242,7 @@ class ClassPage {
   }
 
   private exercises(it: TrainingClass): HTMLElement {
+    for (const exercise of this.tiles.keys()) this.cctv.forget(exercise);
     this.tiles.clear();
     for (const { exercise } of it.exercises)
       this.tiles.set(exercise, {
@@ -263,6 +267,7 @@ class ClassPage {
               t("Desk"),
             ),
           ),
+          this.cctv.of(exercise),
           seats,
         ),
       ),

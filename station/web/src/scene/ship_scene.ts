@@ -57,6 +57,27 @@ const kMatesOwn = new Set<CameraName>(["stand", "bow", "brake", "aft"]); // wher
 const kClouds = [10, 21] as const; // m/s of wind, from which the sky closes, and at which it is closed
 const kStillSteps = 45; // of 0.08 s, that smoke has risen in a still picture
 
+/** What several scenes draw with, each on the whole of its canvas: a browser has 16 WebGL contexts for all pages. */
+export class SharedRenderer {
+  readonly canvas = document.createElement("canvas");
+  readonly renderer: WebGLRenderer;
+  readonly gl: WebGL2RenderingContext;
+  readonly quality: "software" | "low";
+
+  /** px. Throws where the browser has no WebGL 2. */
+  constructor(
+    readonly width: number,
+    readonly height: number,
+  ) {
+    this.canvas.width = width;
+    this.canvas.height = height;
+    this.gl = contextOf(this.canvas, !probeSoftware());
+    this.renderer = rendererOf(this.canvas, this.gl);
+    this.renderer.setSize(width, height, false);
+    this.quality = qualityOf(this.gl) === "software" ? "software" : "low";
+  }
+}
+
 export interface Stats {
   fps: number;
   frameMs: number;
@@ -73,6 +94,8 @@ export class ShipScene {
   /** Nothing moves of itself: the same frame gives the same picture. */
   still = false;
 
+  private readonly shared: SharedRenderer | undefined;
+  private readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly world = new Group();
@@ -120,26 +143,27 @@ export class ShipScene {
   private readonly lampAt = new Vector3();
   private readonly subject = new Vector3();
 
+  /** on: a canvas of its own, or what it shares with other scenes; then it draws whenever it is told to. */
   constructor(
-    private readonly canvas: HTMLCanvasElement,
+    on: HTMLCanvasElement | SharedRenderer,
     description: SceneDescription,
     quality: "auto" | QualityName = "auto",
   ) {
-    const context = canvas.getContext("webgl2", {
-      antialias: quality === "high" || (quality === "auto" && !probeSoftware()),
-      alpha: false,
-      powerPreference: "high-performance",
-    });
-    if (!context) throw new Error("this browser has no WebGL 2: the scene cannot be drawn");
-    this.renderer = new WebGLRenderer({ canvas, context });
-    this.qualityName = quality === "auto" ? qualityOf(context) : quality;
+    if (on instanceof SharedRenderer) {
+      this.shared = on;
+      this.renderer = on.renderer;
+      this.canvas = on.canvas;
+      this.qualityName = on.quality;
+    } else {
+      const context = contextOf(on, quality === "high" || (quality === "auto" && !probeSoftware()));
+      this.canvas = on;
+      this.renderer = rendererOf(on, context);
+      this.qualityName = quality === "auto" ? qualityOf(context) : quality;
+      this.watch = quality === "auto" ? new QualityWatch(this.qualityName) : undefined;
+      this.pace = this.watch && this.qualityName === "software" ? new Pace(context) : undefined;
+    }
+    const { canvas } = this;
     this.quality = kQuality[this.qualityName];
-    this.watch = quality === "auto" ? new QualityWatch(this.qualityName) : undefined;
-    this.pace = this.watch && this.qualityName === "software" ? new Pace(context) : undefined;
-    this.renderer.toneMapping = NeutralToneMapping;
-    this.renderer.info.autoReset = false;
-    this.renderer.autoClear = false;
-    this.renderer.shadowMap.type = PCFShadowMap;
     this.materials = new Materials(this.qualityName === "high");
     this.eye.up.set(0, 0, 1);
 
@@ -251,10 +275,13 @@ export class ShipScene {
 
   /** To the canvas's size on the page. */
   resize(): void {
-    const width = Math.max(1, this.canvas.clientWidth);
-    const height = Math.max(1, this.canvas.clientHeight);
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, this.quality.pixelRatioMax) * (this.watch?.scale ?? 1));
-    this.renderer.setSize(width, height, false);
+    const width = this.shared?.width ?? Math.max(1, this.canvas.clientWidth);
+    const height = this.shared?.height ?? Math.max(1, this.canvas.clientHeight);
+    const ratio = Math.min(devicePixelRatio || 1, this.quality.pixelRatioMax) * (this.watch?.scale ?? 1);
+    if (!this.shared) {
+      this.renderer.setPixelRatio(ratio);
+      this.renderer.setSize(width, height, false);
+    }
     this.eye.aspect = width / height;
     this.hudEye.left = 0;
     this.hudEye.right = width;
@@ -395,7 +422,7 @@ export class ShipScene {
     this.figures.material.dispose();
     this.materials.dispose();
     for (const texture of this.textures) texture.dispose();
-    this.renderer.dispose();
+    if (!this.shared) this.renderer.dispose();
   }
 
   /** Another preset, as far as it can change under way. */
@@ -568,6 +595,21 @@ export class ShipScene {
       this.effects.shine.step(dt, windX, windY, 1, this.light.fog.density);
     }
   }
+}
+
+function contextOf(canvas: HTMLCanvasElement, antialias: boolean): WebGL2RenderingContext {
+  const context = canvas.getContext("webgl2", { antialias, alpha: false, powerPreference: "high-performance" });
+  if (!context) throw new Error("this browser has no WebGL 2: the scene cannot be drawn");
+  return context;
+}
+
+function rendererOf(canvas: HTMLCanvasElement, context: WebGL2RenderingContext): WebGLRenderer {
+  const renderer = new WebGLRenderer({ canvas, context });
+  renderer.toneMapping = NeutralToneMapping;
+  renderer.info.autoReset = false;
+  renderer.autoClear = false;
+  renderer.shadowMap.type = PCFShadowMap;
+  return renderer;
 }
 
 /** Whether this machine draws by its processor: asked of a canvas of its own, since antialiasing is chosen first. */
