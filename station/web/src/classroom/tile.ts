@@ -80,7 +80,8 @@ export class Tile {
       { class: "tile panel", "data-id": id },
       h("header", {}, this.check, h("h3", {}, id), this.state, this.time),
       this.alert,
-      h("div", { class: "glance" }, picture, h("div", { class: "figures" }, this.title, figures)),
+      this.title,
+      h("div", { class: "glance" }, picture, figures),
       this.failure,
       h("footer", {}, desk, this.start, this.pause, remove),
     );
