@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, afterEach, before, test } from "node:test";
 
-import { type GatewayMessage, type TestPage, closeBrowser, openPage, root } from "./browser";
+import { type GatewayMessage, type TestPage, closeBrowser, closePage, openPage, root } from "./browser";
 import { hadNoProblems, passesAxe } from "./pages";
 import { type Station, Rig, eventually, sleep } from "./rig";
 
@@ -122,4 +122,23 @@ test("turned off, none is shown or asked for, and this browser remembers it", as
   assert.equal(await page.evaluate(() => window.contexts), 0);
   await on().click();
   await eventually("it is drawn again", async () => (await drawn(rig.partition)) !== 0);
+});
+
+test("a page that may not look has neither pictures nor their switch", async () => {
+  // No role that opens this page is refused today; the page is told what a station that refuses it would tell.
+  const other = await openPage("about:blank");
+  await other.routeWebSocket(/\/ws/, (socket) => {
+    const server = socket.connectToServer();
+    socket.onMessage((message) => {
+      const { op, id } = JSON.parse(message.toString()) as GatewayMessage & { id: number };
+      const refused = { op: "refused", id, topic: "", field: "", text: "the cameras of other exercises" };
+      if (op === "camera") socket.send(JSON.stringify(refused));
+      else server.send(message);
+    });
+  });
+  await other.goto(classroom());
+  await eventually("tiles", async () => (await other.locator(".tile").count()) === kExercises);
+  await eventually("no picture", async () => (await other.locator(".cctv:visible").count()) === 0);
+  assert.equal(await other.getByRole("button", { name: /^CCTV/ }).count(), 0);
+  await closePage(other);
 });
