@@ -49,6 +49,8 @@ ClassBook::ClassBook(const json& kept) {
                            .results = {},
                            .over = each.at("over"),
                            .launch = each.value("launch", std::string())};
+        if (const auto from = each.find("from"); from != each.end())
+            made.from = Moment{.recording = from->at("recording"), .position = from->at("position")};
         for (const auto& [exercise, result] : each.at("results").items())
             made.results[exercise] = {.recording = result.at("recording"),
                                       .points = points_of(result.at("points")),
@@ -90,6 +92,8 @@ json ClassBook::to_json() const {
                         {"launch", each.launch},
                         {"results", std::move(results)},
                         {"trainees", std::move(trainees)}});
+        if (each.from)
+            list.back()["from"] = {{"recording", each.from->recording}, {"position", each.from->position}};
     }
     return {{"classes", std::move(list)}};
 }
@@ -107,7 +111,8 @@ TrainingClass& ClassBook::mine(const std::string& id) {
 
 const TrainingClass& ClassBook::open(const std::string& id, const std::string& lesson, int exercises,
                                      int crew, const std::string& code, std::int64_t now,
-                                     std::vector<std::string> names, bool practice) {
+                                     std::vector<std::string> names, bool practice,
+                                     std::optional<Moment> from) {
     static const std::regex kName("[A-Za-z0-9][A-Za-z0-9-]{0,23}");
     if (!std::regex_match(id, kName))
         throw Denied(400, "name: 1 to 24 letters, digits and dashes are allowed");
@@ -130,12 +135,13 @@ const TrainingClass& ClassBook::open(const std::string& id, const std::string& l
                        .lesson = lesson,
                        .code = code,
                        .until = now + kGood,
-                       .practice = practice,
+                       .practice = practice || from,
                        .crew = crew,
                        .exercises = {},
                        .names = std::move(names),
                        .trainees = {},
                        .results = {}};
+    made.from = std::move(from);
     for (int i = 1; i <= exercises; ++i)
         made.exercises.push_back(fmt::format("{}-{}", id, i));
     return classes_.emplace_back(std::move(made));

@@ -40,6 +40,12 @@ struct Result {
     bool in_history = false; ///< the attempt that this recording has
 };
 
+/// A moment of a recording.
+struct Moment {
+    std::string recording; ///< its name
+    double position = 0;   ///< s from its beginning
+};
+
 struct TrainingClass {
     std::string id;     ///< 1 to 24 letters, digits, dashes; exercises are ID-1, ID-2 ...
     std::string lesson; ///< file of the server's exercise folder
@@ -53,6 +59,8 @@ struct TrainingClass {
     std::map<std::string, Result> results; ///< by exercise
     bool over = false;
     std::string launch = {}; ///< of a learning system: its session; empty: an instructor's class
+    std::optional<Moment> from =
+        {}; ///< its exercises go on from there, as practice; nothing: they begin anew
 
     const Trainee* find(const std::string& name) const;
 };
@@ -77,7 +85,7 @@ public:
     /// names than seats, one twice, and beyond kClasses.
     const TrainingClass& open(const std::string& id, const std::string& lesson, int exercises, int crew,
                               const std::string& code, std::int64_t now, std::vector<std::string> names = {},
-                              bool practice = false);
+                              bool practice = false, std::optional<Moment> from = {});
 
     /// Opens a class of one for whom a learning system sends: nobody else joins, and no device has a seat
     /// there. session: not empty; the rest as open() and join() have it. Throws Denied.

@@ -17,6 +17,11 @@ constexpr std::size_t kAsked = 8; // at a time: a server lets 16 wait
 
 constexpr std::size_t kWaiting = 16; // orders, for an exercise that is not there yet
 
+/// It has not begun: nobody has started it, and it goes on from nowhere.
+bool is_ready(const ClassroomExercise& exercise) {
+    return exercise.state() == RUN_READY;
+}
+
 /// 0..100, of what is decided. In the score of a lesson that runs, what nobody has offended against yet
 /// counts as kept: a third of the points for a hand that has not moved.
 double decided_points(const Assessment& marks) {
@@ -122,16 +127,36 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
             }
             asked_.erase(exercise);
             if (!desks_.contains(exercise)) desks_[exercise] = std::make_unique<Desk>(member_, exercise);
+            if (each.from && is_ready(found_.at(exercise).exercise)) go_on(*each.from, exercise, now);
             record(each, exercise);
         }
     }
     const auto unwanted = [&](const auto& each) { return !wanted.contains(each.first); };
     std::erase_if(desks_, unwanted);
     std::erase_if(asked_, unwanted);
+    std::erase_if(going_on_, unwanted);
     std::erase_if(given_, unwanted);
     std::erase_if(recordings_, unwanted);
     carry_out();
     remove_asked(now);
+}
+
+void ClassRuns::go_on(const Moment& from, const std::string& exercise, gateway::Clock::time_point now) {
+    if (const auto asked = going_on_.find(exercise); asked != going_on_.end() && now - asked->second < kAgain)
+        return;
+    try {
+        instructor_.continue_in(exercise, from.recording, from.position);
+        going_on_[exercise] = now;
+    } catch (const gateway::Refused& refusal) { // so many at a time
+        instructor_.log(refusal.what());
+    }
+}
+
+bool ClassRuns::at_their_moment(const TrainingClass& of) const {
+    return !of.from || std::ranges::all_of(of.exercises, [&](const std::string& exercise) {
+        const auto found = found_.find(exercise);
+        return found != found_.end() && !is_ready(found->second.exercise);
+    });
 }
 
 /// On the server that has the fewest, with those that it was asked for.

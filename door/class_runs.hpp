@@ -28,6 +28,10 @@ public:
     /// Twice a second is enough.
     void tick(const std::vector<TrainingClass>& classes, gateway::Clock::time_point now);
 
+    /// Whether each of a class's exercises stands at the moment from which it is to go on; of a class that
+    /// begins anew they do.
+    bool at_their_moment(const TrainingClass& of) const;
+
     /// As servers tell it; nothing: there is none of that name yet.
     std::optional<ClassroomExercise> told(const std::string& exercise) const;
     /// What came of an exercise so far, as it was heard last: recording and marks.
@@ -62,6 +66,7 @@ private:
     };
     void listen();
     void record(const TrainingClass& of, const std::string& exercise);
+    void go_on(const Moment& from, const std::string& exercise, gateway::Clock::time_point now);
     void create(const std::string& exercise, const TrainingClass& of, gateway::Clock::time_point now);
     void carry_out();
     void remove_asked(gateway::Clock::time_point now);
@@ -69,12 +74,13 @@ private:
     gateway::Gateway& instructor_;
     const wire::Participant member_;
     std::vector<ClassroomStatus> servers_;
-    std::map<std::string, Found> found_;                 // by exercise
-    std::map<std::string, std::unique_ptr<Desk>> desks_; // by exercise, of classes
-    std::map<std::string, Asked> asked_;                 // to be created, by exercise
-    std::map<std::string, std::string> recordings_;      // by exercise; empty: there is none
-    std::map<std::string, std::deque<Given>> given_;     // by exercise: what has not gone out yet
-    std::map<std::string, Leaving> to_be_removed_;       // by exercise
+    std::map<std::string, Found> found_;                         // by exercise
+    std::map<std::string, std::unique_ptr<Desk>> desks_;         // by exercise, of classes
+    std::map<std::string, Asked> asked_;                         // to be created, by exercise
+    std::map<std::string, gateway::Clock::time_point> going_on_; // by exercise: when it was asked to
+    std::map<std::string, std::string> recordings_;              // by exercise; empty: there is none
+    std::map<std::string, std::deque<Given>> given_;             // by exercise: what has not gone out yet
+    std::map<std::string, Leaving> to_be_removed_;               // by exercise
 };
 
 } // namespace windlass::door

@@ -43,6 +43,17 @@ std::string password_in(const json& asked) {
     return password;
 }
 
+/// "from": {"recording": ..., "position": s}; nothing: the exercises begin anew. Throws Denied.
+std::optional<Moment> moment_in(const json& asked) {
+    const auto from = asked.find("from");
+    if (from == asked.end() || from->is_null()) return std::nullopt;
+    constexpr double kLongest = 24 * 3600; // s
+    const json position = from->is_object() ? from->value("position", json()) : json();
+    if (!position.is_number() || position < 0 || position > kLongest)
+        throw Denied(400, "from.position: a number of s from 0 to 86400");
+    return Moment{.recording = text_of(*from, "recording"), .position = position};
+}
+
 } // namespace
 
 void DoorHost::ask(const std::string& target, const Who& who, const Reply& reply) {
@@ -89,14 +100,16 @@ void DoorHost::next(const std::string& id, const Reply& reply) {
                     reply);
 }
 
-/// Of a recording that a class has made, and no other.
-void DoorHost::debrief(const std::string& recording, bool what_if, const Reply& reply) {
-    const auto made_it = [&](const TrainingClass& each) {
+bool DoorHost::made_by_a_class(const std::string& recording) const {
+    return !recording.empty() && std::ranges::any_of(book_.classes(), [&](const TrainingClass& each) {
         return std::ranges::any_of(each.results,
                                    [&](const auto& one) { return one.second.recording == recording; });
-    };
-    if (recording.empty() || std::ranges::none_of(book_.classes(), made_it))
-        return reply(refused(404, "no class has such a recording"));
+    });
+}
+
+/// Of a recording that a class has made, and no other.
+void DoorHost::debrief(const std::string& recording, bool what_if, const Reply& reply) {
+    if (!made_by_a_class(recording)) return reply(refused(404, "no class has such a recording"));
     const auto as_page = [](std::string page) {
         return Verdict{
             .kind = Verdict::Kind::answer, .type = "text/html; charset=utf-8", .body = std::move(page)};
@@ -279,14 +292,20 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
         const json practice_asked = asked.value("practice", json(false));
         if (!practice_asked.is_boolean()) throw Denied(400, "practice: true or false");
         const bool practice = practice_asked;
+        const auto from = moment_in(asked);
+        if (from && !made_by_a_class(from->recording))
+            throw Denied(404, "from: no class has such a recording");
         auto names = names_in(asked);
         for (const std::string& name : names)
             if (people_.find(name) != nullptr) throw Denied(409, "names: an instructor is called " + name);
         book_.open(id, lesson, number_of(asked, "exercises"), number_of(asked, "crew"), code, unix_s(),
-                   std::move(names), practice);
+                   std::move(names), practice, from);
         done["lesson"] = lesson;
         if (practice) done["practice"] = true;
+        if (from) done["from"] = from->recording;
     } else if (what == "start" || what == "pause") {
+        if (what == "start" && !runs_.at_their_moment(under_way()))
+            throw Denied(409, "not all exercises stand at their moment yet: wait");
         runs_.give(under_way(), wire::topics::exercise_command,
                    {{"action", what == "start" ? "EXERCISE_START" : "EXERCISE_PAUSE"}}, who.staff->name);
     } else if (what == "give") {

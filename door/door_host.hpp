@@ -135,6 +135,7 @@ private:
     gateway::Verdict marks(const std::string& id) const;
     void next(const std::string& id, const Reply& reply);
     void debrief(const std::string& recording, bool what_if, const Reply& reply);
+    bool made_by_a_class(const std::string& recording) const;
     void let_in(const Who& who, const Json& asked, const Reply& reply);
     void log_out_all(const std::string& name);
     Json me(const Who& who) const;

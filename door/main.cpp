@@ -171,6 +171,31 @@ std::map<std::string, std::string> files_of_lessons(const nlohmann::json& list) 
     return files;
 }
 
+/// Ten seconds before that attempt went wrong: before its first must that was missed, else before what cost
+/// it points first. null: nothing did, or the recording is here no more.
+nlohmann::json again_from(const Options& options, const fs::path& recording) {
+    constexpr double kBefore = 10; // s, to have a hand on the lever by then
+    const fs::path folder = options.recordings / recording.filename();
+    if (recording.empty() || !fs::exists(folder)) return nullptr;
+    try {
+        recording::Recording read({folder});
+        const debrief::Attempt attempt = debrief::read_attempt(read);
+        const debrief::Judgement judgement = debrief::judgement_of(attempt);
+        const auto lost = judgement.deductions();
+        const auto must =
+            std::ranges::find_if(lost, [](const debrief::Mark& mark) { return mark.criterion->must(); });
+        const auto first = must != lost.end() ? must : lost.begin();
+        if (first == lost.end() || first->time <= attempt.began) return nullptr;
+        const double time = std::max(attempt.began, first->time - kBefore);
+        return {{"recording", recording.filename()},
+                {"position", attempt.position_of(time)},
+                {"time", time},
+                {"lost", debrief::name_of(*first->criterion)}};
+    } catch (const std::exception&) { // a part of it cannot be read
+        return nullptr;
+    }
+}
+
 /// What each is to practise next; "file" is the lesson's, as a class is opened with it.
 nlohmann::json next_of(const Options& options, const std::map<std::string, std::string>& files,
                        const std::vector<std::string>& names) {
@@ -184,7 +209,8 @@ nlohmann::json next_of(const Options& options, const std::map<std::string, std::
                                {"file", files.at(next->lesson.id)},
                                {"title", next->lesson.title},
                                {"why", next->why},
-                               {"practice", next->practice}});
+                               {"practice", next->practice},
+                               {"from", next->practice ? again_from(options, next->recording) : nlohmann::json()}});
         } catch (const std::invalid_argument&) { // he is in no history: his seat was not recorded
         }
     return all;

@@ -2,6 +2,8 @@
 
 #include "common/text.hpp"
 #include "recorder/resimulate/resimulation.hpp"
+#include "server/assess/lesson.hpp"
+#include "server/exercise/checkpoint.hpp"
 
 #include <fmt/format.h>
 
@@ -44,8 +46,10 @@ ServerOrder<RestoreCommand> go_on_from(recording::Recording& recording, const re
     const std::string when = recorder::clock_text(time);
     ServerOrder<RestoreCommand> order;
     order.sample.from() = std::string(clipped(fmt::format("{} at {}", recording.name(), when), 128));
-    order.sample.checkpoint(
-        recorder::Resimulation(recording, meant, *meant.checkpoint_before(time)).state_at(time));
+    // Who goes on from a moment that was there before is no longer tested.
+    order.sample.checkpoint(exercise::with_lesson(
+        recorder::Resimulation(recording, meant, *meant.checkpoint_before(time)).state_at(time),
+        assess::for_practice));
     order.done = fmt::format("restored to {} of {}, paused", when, recording.name());
     order.carried_out = logged("exercise.restored");
     return order;

@@ -16,10 +16,10 @@ struct RecordingPosition {
 /// Nothing when the text is of no such form.
 std::optional<RecordingPosition> moment_in(const std::string& text);
 
-/// The order to go on from there, in the run of the recording that is meant (1: the first; 0: the last that
-/// has that time). Reads the recording and goes through its orders from the checkpoint before. Throws
-/// std::exception, with what is wrong, when the file cannot be read, has no such moment, or does not agree
-/// with itself.
+/// The order to go on from there, a lesson for practice, in the run of the recording that is meant (1: the
+/// first; 0: the last that has that time). Reads the recording and goes through its orders from the
+/// checkpoint before. Throws std::exception, with what is wrong, when the file cannot be read, has no such
+/// moment, or does not agree with itself.
 ServerOrder<RestoreCommand> restore_order(const RecordingPosition& moment, std::size_t run);
 
 /// The same for what a replay shows at a position: s from the recording's beginning.

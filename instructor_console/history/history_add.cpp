@@ -220,7 +220,7 @@ std::string History::add(const debrief::Attempt& attempt, const std::vector<Seat
              or_null(assessment ? assessment->outcome().to_string() : ""),
              or_null(assessment ? hex(assessment->assessment_hash()) : ""),
              assessment ? integer(assessment->pass()) : Value(),
-             integer(assessment && assessment->practice() ? 1 : 0),
+             integer((assessment && assessment->practice()) || attempt.restored() != nullptr ? 1 : 0),
              integer(assessment ? assessment->hints().size() : 0)});
         put_marks(attempt, id);
         put_said(attempt, id);

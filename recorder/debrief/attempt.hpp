@@ -140,6 +140,10 @@ struct Attempt {
     /// The first event of that code from that time on; nullptr: there is none. side -1: of any.
     const Event* event(std::string_view code, int side = -1, double from = -1e9) const;
 
+    /// That it goes on from a moment of another attempt, or of its own past, after which it is no test any
+    /// more; nullptr: it does not.
+    const Event* restored() const { return event("exercise.restored"); }
+
     /// Exercise time and where in the recording it is, s, by time.
     std::vector<std::pair<double, double>> positions;
 };

@@ -220,24 +220,19 @@ std::uint64_t definition_hash(ExerciseDef def) {
     return hash.value();
 }
 
-std::vector<std::uint8_t> write_checkpoint(const Exercise& exercise, const KeptBeside* beside) {
-    Writer writer;
+namespace {
+
+/// All before the state.
+void write_head(Writer& writer, ExerciseDef def) {
     writer.raw(kMark.data(), kMark.size());
     writer.raw(&kCheckpointFormat, sizeof kCheckpointFormat);
-    ExerciseDef def = exercise.def();
     visit_definition(writer, def);
     const std::uint64_t definition = definition_hash(def);
     writer.raw(&definition, sizeof definition);
-    exercise.visit_state(writer);
-    const std::uint64_t hash = hash_of(exercise);
-    writer.raw(&hash, sizeof hash);
-    if (beside != nullptr) beside->visit(writer);
-    return std::move(writer.bytes);
 }
 
-Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
-                         const std::function<void(const ExerciseDef&)>& check, KeptBeside* beside) {
-    StateReader reader(bytes);
+/// The same. Throws CheckpointError; StateError.
+ExerciseDef read_head(StateReader& reader) {
     std::array<char, 4> mark{};
     std::uint32_t format = 0;
     reader.raw(mark.data(), mark.size());
@@ -247,13 +242,47 @@ Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
         throw CheckpointError("a checkpoint of format " + std::to_string(format) + "; this program reads " +
                               std::to_string(kCheckpointFormat));
     }
+    ExerciseDef def;
+    visit_definition(reader, def);
+    std::uint64_t definition = 0;
+    reader.raw(&definition, sizeof definition);
+    if (definition != definition_hash(def))
+        throw CheckpointError("a checkpoint is damaged: the hash of its definition differs");
+    return def;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> write_checkpoint(const Exercise& exercise, const KeptBeside* beside) {
+    Writer writer;
+    write_head(writer, exercise.def());
+    exercise.visit_state(writer);
+    const std::uint64_t hash = hash_of(exercise);
+    writer.raw(&hash, sizeof hash);
+    if (beside != nullptr) beside->visit(writer);
+    return std::move(writer.bytes);
+}
+
+std::vector<std::uint8_t> with_lesson(const std::vector<std::uint8_t>& checkpoint,
+                                      const std::function<std::string(const std::string&)>& change) {
+    StateReader reader(checkpoint);
     try {
-        ExerciseDef def;
-        visit_definition(reader, def);
-        std::uint64_t definition = 0;
-        reader.raw(&definition, sizeof definition);
-        if (definition != definition_hash(def))
-            throw CheckpointError("a checkpoint is damaged: the hash of its definition differs");
+        ExerciseDef def = read_head(reader);
+        def.lesson = change(def.lesson);
+        Writer writer;
+        write_head(writer, def);
+        writer.raw(checkpoint.data() + (checkpoint.size() - reader.left()), reader.left());
+        return std::move(writer.bytes);
+    } catch (const StateError& error) {
+        throw CheckpointError("no checkpoint: " + reader.path() + error.what());
+    }
+}
+
+Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
+                         const std::function<void(const ExerciseDef&)>& check, KeptBeside* beside) {
+    StateReader reader(bytes);
+    try {
+        ExerciseDef def = read_head(reader);
         lay_out(def);
         if (check) check(def);
         Exercise exercise = Exercise::blank(def);

@@ -40,6 +40,11 @@ public:
 
 std::vector<std::uint8_t> write_checkpoint(const Exercise& exercise, const KeptBeside* beside = nullptr);
 
+/// The same exercise at the same moment, with another text of its lesson. Throws CheckpointError where these
+/// are no bytes of write_checkpoint()'s.
+std::vector<std::uint8_t> with_lesson(const std::vector<std::uint8_t>& checkpoint,
+                                      const std::function<std::string(const std::string&)>& change);
+
 /// The exercise as it was. check sees the definition before anything is made of it, and throws what is wrong
 /// with it: for bytes from outside, which may say anything. beside takes what was kept with it; without it,
 /// bytes that have such are refused. Throws CheckpointError.

@@ -80,6 +80,11 @@ public:
     /// Refused.
     nlohmann::json look_at_forecastle(const std::string& exercise, std::int64_t since);
 
+    /// An instructor's: an exercise goes on from a moment of a recording, position s from its beginning,
+    /// paused. It is read first; what fails then goes to the log. Throws Refused, also where four wait
+    /// already.
+    void continue_in(const std::string& exercise, const std::string& recording, double position);
+
     /// An instructor's: records an exercise from now on, or no longer. name: of the recording; empty: one is
     /// made of the exercise's and the time. Throws Refused.
     void record(const std::string& exercise, bool on, const std::string& name = {});

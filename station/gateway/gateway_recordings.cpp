@@ -85,16 +85,22 @@ void Gateway::tend_recorders() {
 
 void Gateway::continue_live(PageSession& page, const json& id, const std::string& recording, double position,
                             const std::string& exercise) {
-    if (options_.seat != station::Seat::instructor || !options_.state_at)
-        throw no_instructor("continuing a recording");
+    if (options_.seat != station::Seat::instructor) throw no_instructor("continuing a recording");
+    continue_in(exercise, recording, position);
+    continuations_.back().page = &page;
+    continuations_.back().id = id;
+}
+
+void Gateway::continue_in(const std::string& exercise, const std::string& recording, double position) {
+    if (!options_.state_at) throw no_instructor("continuing a recording");
     if (!wire::is_exercise_name(exercise)) throw Refused("", "exercise", "this name", "an exercise's name");
     const auto folder = folder_of(recording);
     if (continuations_.size() >= 4) throw Refused("", "recording", recording, "one after the other");
     continuations_.push_back({.state = std::async(std::launch::async, options_.state_at, folder, position),
                               .sample = {},
                               .desk = desk(exercise),
-                              .page = &page,
-                              .id = id,
+                              .page = nullptr,
+                              .id = {},
                               .until = {}});
 }
 
@@ -221,7 +227,10 @@ void Gateway::tend_replays(Clock::time_point now) {
 bool Gateway::go_on(Continuation& each, Clock::time_point now) {
     if (!each.sample && each.state.wait_for(0s) != std::future_status::ready) return false;
     const auto refuse = [&](const Refused& refusal) {
-        if (each.page != nullptr) each.page->tell_refused(each.id, refusal);
+        if (each.page != nullptr)
+            each.page->tell_refused(each.id, refusal);
+        else
+            log(refusal.what());
         return true;
     };
     if (!each.sample) {

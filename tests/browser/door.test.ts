@@ -236,6 +236,31 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await eventually("it is talked over", async () =>
     (await debriefing.locator("main").textContent()).includes("Let go the port anchor"),
   );
+  await debriefing.locator('a[href^="/replay?"]').first().click();
+  await eventually("its times open the replay", () => debriefing.url().includes("/instructor?exercise=replay-"));
+  await row.getByRole("button", { name: /^Again from \d+:\d\d$/ }).click();
+  await eventually("a class for her alone, from there", async () =>
+    /For carla alone.*; from \d+:\d\d of .*, ten seconds before .* was lost/.test(
+      await owner.locator("form").textContent(),
+    ),
+  );
+  await look(owner, "class_again");
+  assert.ok(await owner.getByLabel("for practice, with hints").isDisabled(), "it is no test");
+  await owner.getByRole("textbox", { name: "Name of the class" }).fill("again");
+  await on(owner, "Open the class").click();
+  await eventually("it stands at that moment", async () => {
+    const states = await owner.locator(".exercises .state").allTextContents();
+    return states.length === 1 && states[0].startsWith("paused");
+  });
+  await look(owner, "class_again_open");
+  await on(owner, "End the class").focus();
+  await owner.keyboard.down("Enter");
+  await eventually("it is over", async () =>
+    (await owner.locator("main").textContent()).includes("Nobody sat in this class"),
+  );
+  await owner.keyboard.up("Enter");
+  await owner.getByRole("button", { name: /^(?!again).*, over$/ }).click();
+  await row.waitFor();
   const [together] = await owner.locator("button", { hasText: /^Class of/ }).all();
   await together.click();
   await eventually("a class for those who do the same", async () =>

@@ -77,6 +77,44 @@ TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver)
     EXPECT_EQ(browser().get("/door/marks.csv?class=mon").status, 401);
 }
 
+TEST_F(Class, GoesOnFromAMomentOfAnAttemptAndIsPracticeThen) {
+    const std::string code = open_class("mon", 1, 1, "L01_let_go_25m");
+    expect_made("mon");
+    Browser ben = trainee(code, "ben");
+    const auto exercise = [this](const char* id) { return class_told(id)["exercises"][0]; };
+    std::string recording;
+    ASSERT_TRUE(eventually([&] { return !(recording = exercise("mon")["recording"]).empty(); }))
+        << door_->text();
+    ASSERT_TRUE(eventually([&] { return door_->text().find("recording partition") != std::string::npos; }));
+    EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}).status, 200);
+    ASSERT_TRUE(eventually([&] { return exercise("mon")["time"] > 4.0; }));
+    EXPECT_EQ(owner().post("/door/class", {{"do", "end"}, {"class", "mon"}}).status, 200);
+    ASSERT_TRUE(eventually([&] { return exercise("mon")["state"].is_null() && closed(recording); }));
+
+    nlohmann::json asked{
+        {"do", "open"},   {"class", "tue"}, {"lesson", "L01_let_go_25m"},
+        {"exercises", 1}, {"crew", 1},      {"from", {{"recording", "none"}, {"position", 3}}}};
+    EXPECT_EQ(owner().post("/door/class", asked).status, 404) << "no class has made that";
+    asked["from"] = {{"recording", recording}, {"position", -1}};
+    EXPECT_EQ(owner().post("/door/class", asked).status, 400);
+    asked["from"]["position"] = 3;
+    const Answer opened = owner().post("/door/class", asked);
+    ASSERT_EQ(opened.status, 200) << opened.body;
+    EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "tue"}}).status, 409)
+        << "it stands at its beginning, or is not there yet";
+    ASSERT_TRUE(eventually([&] { return exercise("tue")["state"] == RUN_PAUSED; })) << door_->text();
+    const double there = exercise("tue")["time"];
+    EXPECT_GT(there, 0.5);
+    EXPECT_LT(there, 4.0) << "and it had run on for longer";
+    Browser carl = trainee(class_told("tue")["code"], "carl");
+    ASSERT_TRUE(eventually([&] { return !exercise("tue")["recording"].get<std::string>().empty(); }));
+    EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "tue"}}).status, 200);
+    ASSERT_TRUE(eventually([&] { return exercise("tue")["time"] > there + 1; }));
+    EXPECT_EQ(owner().post("/door/class", {{"do", "end"}, {"class", "tue"}}).status, 200);
+    ASSERT_TRUE(eventually([&] { return exercise("tue")["state"].is_null(); }));
+    EXPECT_EQ(exercise("tue")["outcome"], "practice");
+}
+
 TEST_F(Class, RecordingsEndWholeWithTheDoorAndBeginAnewWithTheNext) {
     const std::string code = open_class("mon", 1, 1);
     expect_made("mon");

@@ -47,7 +47,8 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
         {"L01", "Let go", "let-go"}, {"L02", "Lower", "lower"}, {"L03", "Walk back", "walk-back"}};
     History history(file());
     int day = 0;
-    const auto done = [&](const char* exercise, const char* outcome, bool practice = false) {
+    const auto done = [&](const char* exercise, const char* outcome, bool practice = false,
+                          bool restored = false) {
         test::DebriefedRun run;
         run.run = ++day;
         auto of = attempt(fmt::format("day {}", day).c_str(), run);
@@ -57,6 +58,7 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
         of.assessment->lesson_hash(static_cast<std::uint64_t>(day));
         of.assessment->outcome(outcome);
         of.assessment->practice(practice);
+        if (restored) of.events.emplace_back().code("exercise.restored");
         history.add(of, {{.pseudonym = "t1", .name = "", .group = ""}}, fmt::format("day {}", day));
     };
     const auto next = [&] { return history.next("t1", offered); };
@@ -70,6 +72,8 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
     EXPECT_EQ(next()->lesson.id, "L02") << "practice is no test";
     EXPECT_THAT(next()->why, HasSubstr("without hints"));
     EXPECT_FALSE(next()->practice);
+    done("lower", "achieved", false, true);
+    EXPECT_EQ(next()->lesson.id, "L02") << "who went on from a moment of an attempt was not tested";
     done("lower", "achieved");
     EXPECT_EQ(next()->lesson.id, "L01");
     EXPECT_EQ(next()->why, "not done yet");

@@ -56,6 +56,19 @@ export interface Next {
   title: string;
   why: string;
   practice: boolean;
+  /** Ten seconds before his last attempt went wrong; null: nothing to go on from. */
+  from: From | null;
+}
+
+/** A moment of a recording. */
+export interface From {
+  recording: string;
+  /** s from its beginning. */
+  position: number;
+  /** s of exercise. */
+  time: number;
+  /** What was lost behind it. */
+  lost: string;
 }
 
 /** Of who sat in a class that is over; waits: attempts are not in the history yet. */

@@ -2,7 +2,8 @@
 
 import { outcomeSaid } from "../kit/words";
 import { h } from "../kit/dom";
-import { type ClassExercise, type Next, type NextOfClass, type TrainingClass, ask, placeWords } from "./ask";
+import { clock } from "../kit/units";
+import { type ClassExercise, type From, type Next, type NextOfClass, type TrainingClass, ask, placeWords } from "./ask";
 import { t } from "../kit/language";
 
 /** In words: points, and what they mean once the lesson is over. */
@@ -17,6 +18,17 @@ export function marksOf({ points, outcome }: ClassExercise): string {
 }
 
 const kLook = 2000; // ms
+
+/** Begins a class of him alone, ten seconds before it went wrong. */
+const againFrom = (one: Next, from: From, open: Open): HTMLElement =>
+  h(
+    "button",
+    {
+      title: t("ten seconds before {lost} was lost", { lost: from.lost }),
+      onclick: () => open([one], from),
+    },
+    t("Again from {time}", { time: clock(from.time) }),
+  );
 
 /** "Let go in 25 m, for practice", and why. */
 function nextWords({ title, why, practice }: Next): (Node | string)[] {
@@ -38,18 +50,21 @@ export function together(all: Next[]): Next[][] {
 }
 
 /** Fills the cells by name, and the list of classes that would do, once the history has the class. */
-async function fillNext(id: string, cells: Map<string, HTMLElement>, list: HTMLElement, open: Open): Promise<void> {
+async function fillNext(id: string, cells: Map<string, HTMLElement>, list: HTMLElement, open?: Open): Promise<void> {
   const { waits, next } = await ask<NextOfClass>(`next?class=${id}`);
   if (waits) {
     const shown = (): boolean => [...cells.values()].some((cell) => cell.isConnected);
     setTimeout(() => shown() && tellNext(id, cells, list, open), kLook);
     return;
   }
-  for (const one of next) cells.get(one.name)?.replaceChildren(...nextWords(one));
+  for (const one of next) {
+    const again = one.from && open ? [againFrom(one, one.from, open)] : [];
+    cells.get(one.name)?.replaceChildren(...nextWords(one), ...again);
+  }
   const classOf = (group: Next[], { title, practice }: Next): HTMLElement =>
     h(
       "button",
-      { onclick: () => open(group) },
+      { onclick: () => open?.(group) },
       t("Class of {count}: {title}", {
         count: group.length,
         title: practice ? `${title}, ${t("for practice")}` : title,
@@ -62,7 +77,7 @@ async function fillNext(id: string, cells: Map<string, HTMLElement>, list: HTMLE
 const tellNext: typeof fillNext = (...of) => fillNext(...of).catch(() => {});
 
 /** Begins a class of those who are to do the same next. */
-export type Open = (group: Next[]) => void;
+export type Open = (group: Next[], from?: From) => void;
 
 /** A class that is over. open: nothing, for who may open none. */
 export function classMarks(it: TrainingClass, open?: Open): HTMLElement {
@@ -96,7 +111,7 @@ export function classMarks(it: TrainingClass, open?: Open): HTMLElement {
   );
   if (rows.length === 0) return h("p", { class: "quiet" }, t("Nobody sat in this class."));
   const heads = [t("Trainee"), t("Seat"), t("Marks"), t("Talk it over"), t("What next")];
-  void tellNext(it.id, cells, list, open ?? (() => {}));
+  void tellNext(it.id, cells, list, open);
   return h(
     "section",
     { class: "panel class-marks" },

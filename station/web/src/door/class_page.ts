@@ -11,6 +11,7 @@ import {
   type ClassExercise,
   type Classes,
   type Me,
+  type From,
   type Next,
   type Seat,
   type TrainingClass,
@@ -129,7 +130,7 @@ class ClassPage {
     const it = this.known.classes.find(({ id }) => id === this.chosen);
     this.fill(this.body, it?.over ? it : [it?.id ?? this.chosen, it?.exercises.length], () => {
       if (this.chosen === kKiosks && this.devices) return [this.devices];
-      if (it?.over) return [classMarks(it, this.leads ? (group) => this.goOn(group) : undefined)];
+      if (it?.over) return [classMarks(it, this.leads ? (group, from) => this.goOn(group, from) : undefined)];
       if (it) {
         this.made.clear();
         return [this.code, this.bar(it), this.exercises(it)];
@@ -146,8 +147,8 @@ class ClassPage {
   }
 
   /** A new class of those who are to do the same next. */
-  private goOn(group: Next[]): void {
-    this.newClass.fill(group);
+  private goOn(group: Next[], from?: From): void {
+    this.newClass.fill(group, from);
     this.chosen = undefined;
     this.draw();
   }

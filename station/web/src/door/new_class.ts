@@ -1,10 +1,11 @@
 // A new class: of which lesson, how many exercises, how many to each.
 
 import { h, setText } from "../kit/dom";
-import { type Classes, type Next, act, ask } from "./ask";
+import { type Classes, type From, type Next, act, ask } from "./ask";
 import { field, form } from "./frame";
 import { namesOf } from "./names";
 import { t } from "../kit/language";
+import { clock } from "../kit/units";
 
 interface Lessons {
   files: { name: string; title: string; lesson: string | null }[];
@@ -19,7 +20,7 @@ const crews: [number, string][] = [
 export interface NewClass {
   readonly element: HTMLElement;
   /** Of these alone, with what they are to do next. */
-  fill(group: Next[]): void;
+  fill(group: Next[], from?: From): void;
   /** Whoever has the code may join, unless a file is given. */
   anybody(): void;
 }
@@ -33,9 +34,12 @@ export function newClass(opened: (classes: Classes) => void): NewClass {
   const practice = h("input", { type: "checkbox" });
   const list = h("input", { type: "file", accept: ".csv,.txt,text/csv,text/plain" });
   let fixed: string[] = []; // who goes on from another class
+  let from: From | undefined; // its exercises begin there; nothing: anew
   const whose = h("p", { class: "quiet" });
   const anybody = (): void => {
     fixed = [];
+    from = undefined;
+    lesson.disabled = practice.disabled = false;
     setText(whose, "");
   };
   const names = async (): Promise<string[]> => {
@@ -54,12 +58,29 @@ export function newClass(opened: (classes: Classes) => void): NewClass {
         .map((file) => h("option", { value: file.name }, file.title || file.name)),
     ),
   );
-  const fill = (group: Next[]): void => {
+  const fill = (group: Next[], moment?: From): void => {
+    anybody();
     fixed = group.map((one) => one.name);
-    name.value = `${today}-next`;
-    setText(whose, t("For {names} alone, unless you give a file", { names: fixed.join(", ") }));
+    from = moment;
+    name.value = `${today}-${from ? "again" : "next"}`;
+    const names = fixed.join(", ");
+    setText(
+      whose,
+      from
+        ? t(
+            "For {names} alone, unless you give a file; from {time} of {recording}, ten seconds before {lost} was lost",
+            {
+              names,
+              time: clock(from.time),
+              recording: from.recording,
+              lost: from.lost,
+            },
+          )
+        : t("For {names} alone, unless you give a file", { names }),
+    );
     list.value = "";
-    practice.checked = group.some((one) => one.practice);
+    practice.checked = !!from || group.some((one) => one.practice);
+    lesson.disabled = practice.disabled = !!from; // the recording says which, and it is no test
     void enough();
     void listed.then(() => (lesson.value = group[0]?.file ?? lesson.value));
   };
@@ -87,6 +108,7 @@ export function newClass(opened: (classes: Classes) => void): NewClass {
           exercises: count.valueAsNumber,
           crew: Number(crew.value),
           names: await names(),
+          ...(from && { from: { recording: from.recording, position: from.position } }),
         });
         anybody();
         opened(classes);
