@@ -3,6 +3,7 @@
 #include "server/dds/flood_gate.hpp"
 #include "server/exercise/definition/def_fields.hpp"
 #include "server/host/pacer.hpp"
+#include "server/keep/beginning.hpp"
 #include "server/keep/kept_exercise.hpp"
 #include "server/keep/take_up.hpp"
 #include "sim/checks.hpp"
@@ -30,6 +31,23 @@ constexpr std::size_t kRoomy = 8 << 20;                // bytes: more than an ex
 constexpr std::size_t kMemory = 256 << 20;             // bytes
 constexpr std::uint64_t kFirstRun = 1'800'000'000'000; // ms since 1970
 
+/// How often the exercise was taken up since it settled, as the newest file has it.
+std::size_t attempts(SimDisk& disk) {
+    const auto files = keep::kept_files(kFolder, disk);
+    for (auto file = files.rbegin(); file != files.rend(); ++file) {
+        try {
+            const keep::KeptContents contents(*file, disk);
+            if (contents.entries().size() < 2) continue; // not whole
+            const auto course = keep::decode_beginning(contents.entries().front().payload).course;
+            const auto counted = keep::attempts_file(kFolder, course.settled);
+            return disk.exists(counted) ? disk.read(counted).size() : 0;
+        } catch (const std::exception&) { // damaged
+            return 0;
+        }
+    }
+    return 0;
+}
+
 /// What one server is, until it is lost.
 struct Server {
     Server(World& world, SimDisk& disk, const exercise::ExerciseDef& def, run::SessionOptions options)
@@ -47,7 +65,6 @@ struct Server {
     double scale;
     unsigned setups;
     run::Inbox inbox;
-    bool writes = false, syncs = false;         // the thread is at it
     std::optional<Checks::Place> handed_over{}; // since the disk was waited for last
 };
 
@@ -109,8 +126,8 @@ void Centre::start() {
     ++life_;
     clock_is_off_ += chance.in(0.3) ? chance.between(-100, 100) : 0; // what the machine takes for the time
     Beginning how{.lost_by = lost_by_, .first = life_ == 1, .rotten = rotten_ || disk_.refuses};
-    const auto attempts = keep::attempts_file(kFolder);
-    how.attempts = disk_.exists(attempts) ? disk_.read(attempts).size() : 0;
+    how.attempts = attempts(disk_);
+    checks_.starts();
     how.set_back_before =
         lost_setting_back_ || std::ranges::any_of(keep::kept_files(kFolder, disk_), keep::is_set_back);
     lost_setting_back_ = lost_setting_back_ || how.attempts >= 2; // until it has begun

@@ -180,6 +180,20 @@ bool Checks::go_on_from(Line& line, std::uint64_t tick, const State& state) {
     return true;
 }
 
+void Checks::starts() {
+    for (Line& one : lines_)
+        ++one.starts;
+}
+
+/// A course of which something is kept is set back when servers that took it up were lost twice, and for no
+/// loss of a course before it.
+void Checks::hold_set_back(const Place& promise, const Beginning& how) const {
+    const auto kept = std::ranges::find(lines_, promise.line, &Line::number);
+    if (kept != lines_.end() && kept->starts < 3 && !how.set_back_before)
+        fail("kept", "taken up at " + text(promise) + " or later",
+             fmt::format("set back, as server {} of its course begins: {}", kept->starts, how.set_back));
+}
+
 void Checks::begins(const run::Session& session, const Beginning& how) {
     run_ = session.status().run;
     event_ = 0;
@@ -189,13 +203,13 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
     listened_ = 0, listened_at_ = 0, ran_ = false;
     tick_ = session.now_tick();
     const auto promise = promised(how.lost_by);
+    if (promise && !how.set_back.empty()) hold_set_back(*promise, how);
     if (!how.taken_up) {
         const bool excused = how.first || how.rotten || !how.set_back.empty() || how.set_back_before;
         if (!how.refused.empty() && how.set_back.empty() && !how.rotten)
             fail("kept", "what was kept is taken up", "refused: " + how.refused);
         if (!excused && promise)
             fail("kept", "taken up at " + text(*promise) + " or later", "begins anew: nothing was kept");
-        old_stays_ = old_stays_ || (!how.first && how.rotten);
         for (Line& left : lines_) // until the disk has the new one, the power may bring them back
             left.handed_over.reset(), left.on_disk.reset();
         begin_line(session);
@@ -280,8 +294,8 @@ void Checks::on_disk(const Place& place) {
     // of it, and may also refuse to remove it (seed 29).
     for (Line& one : lines_)
         if (one.number == place.line && !one.ended) one.on_disk = place;
-    // Of what was left before that course began, nothing comes back, if it could be put aside.
-    while (!old_stays_ && lines_.front().number < place.line)
+    // Of what was left before that course began, nothing comes back.
+    while (lines_.front().number < place.line)
         lines_.pop_front();
 }
 

@@ -20,7 +20,7 @@ struct Beginning {
     bool first = false;                ///< there was none
     bool taken_up = false;             ///< the exercise stands where it stood, as it says
     std::string refused{}, set_back{}; ///< as in run::Resumption
-    std::size_t attempts = 0;          ///< that were counted before
+    std::size_t attempts = 0;          ///< that the disk has counted before
     bool set_back_before = false;      ///< by one that was lost at it, or before it had a file of its own
     bool rotten = false;               ///< the disk is broken, or a byte was changed that it had
 };
@@ -29,6 +29,8 @@ class Checks {
 public:
     explicit Checks(const World& world) : world_(world) {}
 
+    /// A server is about to begin; it may be lost before it has.
+    void starts();
     /// A server has begun, and has not ticked yet.
     void begins(const run::Session& session, const Beginning& how);
     /// A sample is in the mailbox.
@@ -74,7 +76,8 @@ private:
         std::map<std::uint64_t, std::size_t>
             checkpoints; // that were told: how many orders are in it, by tick
         std::optional<Place> handed_over, on_disk;
-        bool ended = false; // nothing of it need be kept
+        bool ended = false;     // nothing of it need be kept
+        std::size_t starts = 0; // of servers, since it began
     };
     /// Gone through undisturbed, some way along a line.
     struct Undisturbed {
@@ -94,6 +97,7 @@ private:
     bool go_on_from(Line& line, std::uint64_t tick, const State& state);
     void leave_line();
     void branch(const run::Session& session, std::uint64_t tick);
+    void hold_set_back(const Place& promise, const Beginning& how) const;
     void go_through(Line& line, std::uint64_t tick, std::size_t orders);
     void hold_against(Line& line);
     void leave_out_what_was_not_taken(const run::Inbox& inbox);
@@ -110,7 +114,6 @@ private:
     const World& world_;
     std::list<Line> lines_; // of which a server that is lost may come back to; the newest is the present one
     std::uint64_t line_number_ = 0;
-    bool old_stays_ = false; // the disk refused to have an old course put aside
     std::optional<Undisturbed> undisturbed_;
 
     std::uint64_t tick_ = 0, seen_ = 0, digest_ = 14695981039346656037ULL;

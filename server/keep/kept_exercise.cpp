@@ -1,9 +1,10 @@
 #include "server/keep/kept_exercise.hpp"
 
+#include "server/keep/beginning.hpp"
+
 #include "server/dds/convert.hpp"
 #include "server/dds/order_taken.hpp"
 
-#include "idl/cdr.hpp"
 #include "idl/payload.hpp"
 #include "idl/topics.hpp"
 
@@ -29,10 +30,22 @@ constexpr std::size_t kMaxWaiting = 4096; // orders and checkpoints; levers alon
 constexpr std::uint64_t kLong = 4 << 20;  // bytes: a paused exercise takes no checkpoints, but levers
 constexpr auto kPatience = 3s;            // with a disk, before it is told of
 constexpr auto kClosing = 3s;
+constexpr std::string_view kAttempts = ".attempts";
 constexpr std::string_view kSetBack = "-set-back";
 
-std::uint64_t number_of(const fs::path& file) {
-    return std::strtoull(file.stem().c_str(), nullptr, 10);
+std::vector<fs::path> files_of(const fs::path& folder, std::string_view ending, Disk& disk) {
+    std::vector<fs::path> files;
+    for (fs::path& path : disk.list(folder))
+        if (path.extension() == ending) files.push_back(std::move(path));
+    return files;
+}
+
+/// The last that a file there has, of whatever kind.
+std::uint64_t last_number(const fs::path& folder, Disk& disk) {
+    std::uint64_t last = 0;
+    for (const fs::path& path : disk.list(folder))
+        last = std::max(last, number_of(path));
+    return last;
 }
 
 /// Where it can be removed.
@@ -50,10 +63,12 @@ std::string slow(const fs::path& folder) {
 
 } // namespace
 
+std::uint64_t number_of(const fs::path& file) {
+    return std::strtoull(file.stem().c_str(), nullptr, 10);
+}
+
 std::vector<fs::path> kept_files(const fs::path& folder, Disk& disk) {
-    std::vector<fs::path> files;
-    for (fs::path& path : disk.list(folder))
-        if (path.extension() == ".kept") files.push_back(std::move(path));
+    std::vector<fs::path> files = files_of(folder, ".kept", disk);
     std::ranges::sort(files, {}, number_of);
     return files;
 }
@@ -66,14 +81,24 @@ bool is_set_back(const fs::path& file) {
     return file.stem().native().ends_with(kSetBack);
 }
 
-fs::path attempts_file(const fs::path& folder) {
-    return folder / "attempts";
+fs::path attempts_file(const fs::path& folder, std::uint64_t settled) {
+    return folder / fmt::format("{:06}{}", settled, kAttempts);
+}
+
+std::vector<fs::path> attempts_files(const fs::path& folder, Disk& disk) {
+    return files_of(folder, kAttempts, disk);
+}
+
+void forget_attempts(const fs::path& folder, Disk& disk) {
+    for (const fs::path& file : attempts_files(folder, disk))
+        disk.remove(file);
 }
 
 void remove_kept(const fs::path& folder, Disk& disk) {
     for (const fs::path& file : kept_files(folder, disk)) // the newest last: an earlier state is not taken up
         try_to_remove(disk, file);
-    try_to_remove(disk, attempts_file(folder));
+    for (const fs::path& file : attempts_files(folder, disk))
+        try_to_remove(disk, file);
     try_to_remove(disk, folder);
 }
 
@@ -85,7 +110,7 @@ KeptExercise::KeptExercise(fs::path folder, std::string id, std::uint64_t defini
       disk_(disk),
       now_(std::move(now)),
       before_(kept_files(folder_, disk_)),
-      number_(before_.empty() ? 0 : number_of(before_.back())) {}
+      number_(last_number(folder_, disk_)) {}
 
 // ---- the thread that ticks
 
@@ -123,6 +148,7 @@ void KeptExercise::look(const run::Session& session) {
     const std::unique_lock lock(mutex_, std::try_to_lock); // the exercise waits for nobody who writes
     if (!lock) return;
     const auto now = now_();
+    if (session.kept_course().first != 0) resumed_ = Resumed{status.run, session.kept_course()};
     if (waiting_.empty() && !reached_) waits_since_ = now;
     if (over) {
         if (!std::exchange(end_told_, true)) over_ = true;
@@ -173,14 +199,17 @@ void KeptExercise::close(bool in_order) {
 
 bool KeptExercise::write_waiting() {
     std::optional<Reached> reached;
+    std::optional<Resumed> resumed;
     bool over = false, closing = false;
     {
         const std::lock_guard lock(mutex_);
         writing_.swap(waiting_);
         reached = std::exchange(reached_, std::nullopt);
+        resumed = std::exchange(resumed_, std::nullopt);
         over = std::exchange(over_, false);
         closing = closing_;
     }
+    if (resumed && begun_ == 0) run_ = resumed->run, course_ = resumed->course;
     try {
         if (over) remove_all();
         for (const News& news : writing_)
@@ -217,17 +246,18 @@ void KeptExercise::write(const run::CheckpointView& checkpoint) {
         before_.push_back(file_->path());
         file_.reset();
     }
-    other_course_ = other_course_ || (begun_ > 0 && checkpoint.run != run_);
     disk_.make_folder(folder_);
     const fs::path path = folder_ / fmt::format("{:06}.kept", ++number_);
+    run::KeptCourse course = course_;
+    if (course.first == 0 || checkpoint.run != run_) course = {.first = number_, .settled = number_};
+    if (begun_ > 0) course.settled = number_; // it came on from where it was taken up
     try {
         auto file = std::make_shared<KeptWriter>(path, disk_);
-        idl::CdrWriter beginning;
-        beginning.text(wire::topics::order_taken.type);
-        beginning.number(checkpoint.format);
-        beginning.text(id_);
-        beginning.number(definition_hash_);
-        file->add(Record::beginning, beginning.release());
+        file->add(Record::beginning, encode(Beginning{.orders = wire::topics::order_taken.type,
+                                                      .format = checkpoint.format,
+                                                      .id = id_,
+                                                      .definition_hash = definition_hash_,
+                                                      .course = course}));
         dds::convert(checkpoint, checkpoint_);
         file->add(Record::checkpoint, wire::encode(checkpoint_));
         file->write();
@@ -237,6 +267,7 @@ void KeptExercise::write(const run::CheckpointView& checkpoint) {
         throw;
     }
     run_ = checkpoint.run;
+    course_ = course;
     last_.reset();
     noted_ = 0;
     long_ = false;
@@ -289,17 +320,17 @@ void KeptExercise::note_synced() {
     file_->write(); // by itself it is not worth to be waited for again
 }
 
-/// One file before this one is enough, once the disk has this one. The first since the server's start has
-/// what was taken up: until the exercise has come to its next checkpoint, that may be what ends the server.
+/// One file of this course before this one is enough, once the disk has this one. The first since the
+/// server's start has what was taken up: until the exercise has come to its next checkpoint, that may be what
+/// ends the server.
 void KeptExercise::prune() {
     if (begun_ < 2) return;
-    disk_.remove(attempts_file(folder_));
-    const std::size_t stay = other_course_ ? 0 : 1;
-    while (before_.size() > stay) {
+    while (before_.size() > 1 || (!before_.empty() && number_of(before_.front()) < course_.first)) {
         disk_.remove(before_.front());
         before_.erase(before_.begin());
     }
-    other_course_ = false;
+    for (const fs::path& file : attempts_files(folder_, disk_))
+        if (number_of(file) < course_.settled) disk_.remove(file);
 }
 
 /// The disk has refused: what is in the file stays, and no more comes to it.
@@ -313,8 +344,8 @@ void KeptExercise::fail(const std::string& why) {
 
 void KeptExercise::remove_all() {
     file_.reset();
-    before_.clear();
     remove_kept(folder_, disk_);
+    before_ = kept_files(folder_, disk_); // that the disk refused to remove
     const std::lock_guard lock(mutex_);
     to_sync_ = synced_ = {};
     failure_.clear();

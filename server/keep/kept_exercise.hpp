@@ -1,6 +1,8 @@
 #pragma once
 // One exercise on its way to the disk: its last checkpoint, and the one before it, each with the orders that
-// were taken behind it, in a file of its own (kept_file.hpp).
+// were taken behind it, in a file of its own (kept_file.hpp). Files are numbered on, whatever becomes of
+// those before: each says in its beginning with which number its course began, and from which one on losses
+// count. So what the disk refuses to remove is never taken for a part of a later course.
 
 #include "server/keep/kept_file.hpp"
 #include "server/run/session.hpp"
@@ -18,6 +20,8 @@
 
 namespace windlass::keep {
 
+/// NNNNNN of NNNNNN.kept, NNNNNN-set-back.kept and NNNNNN.attempts.
+std::uint64_t number_of(const std::filesystem::path& file);
 /// Files of kept exercises in a folder, the oldest first.
 std::vector<std::filesystem::path> kept_files(const std::filesystem::path& folder,
                                               Disk& disk = system_disk());
@@ -25,9 +29,14 @@ std::vector<std::filesystem::path> kept_files(const std::filesystem::path& folde
 /// whether a file is one.
 std::filesystem::path set_back_file(const std::filesystem::path& behind);
 bool is_set_back(const std::filesystem::path& file);
-/// Of such a folder: as many bytes as the exercise was taken up and the server lost before its next
-/// checkpoint.
-std::filesystem::path attempts_file(const std::filesystem::path& folder);
+/// Of such a folder: as many bytes as the exercise was taken up since the file of that number, which is
+/// run::KeptCourse::settled, and the server lost before its next checkpoint.
+std::filesystem::path attempts_file(const std::filesystem::path& folder, std::uint64_t settled);
+/// Those that are there, in any order.
+std::vector<std::filesystem::path> attempts_files(const std::filesystem::path& folder,
+                                                  Disk& disk = system_disk());
+/// Nothing was counted, then. Throws std::system_error.
+void forget_attempts(const std::filesystem::path& folder, Disk& disk = system_disk());
 /// Removes what is kept in the folder, and the folder.
 void remove_kept(const std::filesystem::path& folder, Disk& disk = system_disk());
 
@@ -64,6 +73,11 @@ public:
 
 private:
     using News = std::variant<run::OrderView, run::CheckpointView>;
+    /// The run with which a course goes on that was taken up.
+    struct Resumed {
+        std::uint64_t run = 0;
+        run::KeptCourse course;
+    };
     /// How far the exercise has come.
     struct Reached {
         run::CheckpointView state; ///< without data; state_hash 0: not known
@@ -101,6 +115,7 @@ private:
     std::condition_variable closed_;
     std::vector<News> waiting_;
     std::optional<Reached> reached_;
+    std::optional<Resumed> resumed_;
     bool over_ = false, closing_ = false, gone_ = false;
     Clock::time_point waits_since_{};
     std::string failure_; // of the disk
@@ -115,11 +130,11 @@ private:
     std::shared_ptr<KeptWriter> file_;          // none: what comes cannot be kept, up to the next checkpoint
     std::vector<std::filesystem::path> before_; // older files, the oldest first
     std::uint64_t number_ = 0;                  // of the last file
+    run::KeptCourse course_;                    // of that file
     bool news_ = false;                         // something to write that is worth it
     std::optional<Reached> last_;               // that stands in the file
     std::uint64_t run_ = 0;                     // of the file
     int begun_ = 0;                             // files, since the server's start
-    bool other_course_ = false;                 // older files are of a course that was left
     std::uint64_t noted_ = 0;                   // up to which byte the file says to be on the disk
     std::vector<News> writing_;
     OrderTaken order_;

@@ -17,7 +17,7 @@
 
 namespace windlass::keep {
 
-inline constexpr std::uint16_t kKeptFormat = 1;
+inline constexpr std::uint16_t kKeptFormat = 2;
 
 /// Begins with the file, and says what is wrong with it.
 struct KeptError : std::runtime_error {
@@ -25,7 +25,7 @@ struct KeptError : std::runtime_error {
 };
 
 enum class Record : std::uint8_t {
-    beginning = 1, ///< which exercise, kept by which version
+    beginning = 1, ///< Beginning (beginning.hpp)
     checkpoint,    ///< Checkpoint
     order,         ///< OrderTaken
     reached,       ///< Checkpoint without data: how far the exercise has come

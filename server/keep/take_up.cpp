@@ -2,12 +2,12 @@
 
 #include "server/dds/order_taken.hpp"
 #include "server/exercise/checkpoint.hpp"
+#include "server/keep/beginning.hpp"
 #include "server/keep/kept_exercise.hpp"
 #include "server/keep/kept_file.hpp"
 #include "server/run/course.hpp"
 #include "server/run/limits.hpp"
 
-#include "idl/cdr.hpp"
 #include "idl/payload.hpp"
 #include "idl/topics.hpp"
 
@@ -39,6 +39,7 @@ constexpr double kMaxBehindCheckpoint = 3600;
 /// A file, opened.
 struct Kept {
     fs::path file;
+    run::KeptCourse course;
     Checkpoint checkpoint;
     std::vector<run::OrderView> orders{};
     std::vector<Checkpoint> reached{}; ///< without data
@@ -46,27 +47,23 @@ struct Kept {
 };
 
 /// Throws std::runtime_error when the file is of another version, exercise or definition.
-void check_beginning(Bytes payload, const std::string& id, const TakeUp& wanted) {
-    idl::CdrReader in(payload);
-    const std::string type(in.text());
-    const auto format = in.number<std::uint32_t>();
-    const std::string kept_id(in.text());
-    const auto definition = in.number<std::uint64_t>();
+void check(const Beginning& beginning, const std::string& id, const TakeUp& wanted) {
     const std::string ours = wire::topics::order_taken.type;
-    if (type != ours)
-        throw std::runtime_error(fmt::format(
-            "orders of type {} are not allowed: this version of the server takes {}", type, ours));
-    if (format != exercise::kCheckpointFormat)
+    if (beginning.orders != ours)
+        throw std::runtime_error(
+            fmt::format("orders of type {} are not allowed: this version of the server takes {}",
+                        beginning.orders, ours));
+    if (beginning.format != exercise::kCheckpointFormat)
         throw std::runtime_error(
             fmt::format("a checkpoint of format {} is not allowed: this version of the server takes {}",
-                        format, exercise::kCheckpointFormat));
-    if (kept_id != id)
-        throw std::runtime_error(fmt::format("of exercise {}, where {} is looked for", kept_id, id));
-    if (wanted.definition_hash && *wanted.definition_hash != definition)
+                        beginning.format, exercise::kCheckpointFormat));
+    if (beginning.id != id)
+        throw std::runtime_error(fmt::format("of exercise {}, where {} is looked for", beginning.id, id));
+    if (wanted.definition_hash && *wanted.definition_hash != beginning.definition_hash)
         throw std::runtime_error(fmt::format(
             "the exercise was opened with a definition of hash {:016x}, and the file that it is opened with "
             "now has {:016x}: it was changed, or is another one",
-            definition, *wanted.definition_hash));
+            beginning.definition_hash, *wanted.definition_hash));
 }
 
 /// Throws std::runtime_error.
@@ -76,16 +73,34 @@ void check_time_scale(double scale) {
                                          run::kTimeScaleMin, run::kTimeScaleMax));
 }
 
+/// Of which course the file is; nothing: the server was lost before it had a whole checkpoint. Throws
+/// KeptError.
+std::optional<run::KeptCourse> course_of(const KeptContents& contents, const fs::path& file) {
+    const auto find = [&](Record kind) {
+        return std::ranges::find(contents.entries(), kind, &KeptContents::Entry::kind);
+    };
+    const auto end = contents.entries().end(), beginning = find(Record::beginning);
+    if (beginning == end || find(Record::checkpoint) == end) return std::nullopt;
+    try {
+        return decode_beginning(beginning->payload).course;
+    } catch (const std::exception& error) {
+        throw KeptError(file.string() + ": " + error.what());
+    }
+}
+
 /// What is in the file; nothing: the server was lost before it had a whole checkpoint. Throws KeptError.
-std::optional<Kept> open_kept(Disk& disk, const fs::path& file, const std::string& id, const TakeUp& wanted) {
-    const KeptContents contents(file, disk);
+std::optional<Kept> open_kept(const KeptContents& contents, const fs::path& file, const std::string& id,
+                              const TakeUp& wanted) {
     std::optional<Kept> kept;
+    run::KeptCourse course;
     try {
         for (const auto& [kind, at, payload] : contents.entries()) {
             if (kind == Record::beginning) {
-                check_beginning(payload, id, wanted);
+                const Beginning beginning = decode_beginning(payload);
+                check(beginning, id, wanted);
+                course = beginning.course;
             } else if (kind == Record::checkpoint) {
-                kept = Kept{.file = file, .checkpoint = wire::decode<Checkpoint>(payload)};
+                kept = Kept{.file = file, .course = course, .checkpoint = wire::decode<Checkpoint>(payload)};
             } else if (!kept) {
                 continue;
             } else if (kind == Record::order) {
@@ -101,6 +116,10 @@ std::optional<Kept> open_kept(Disk& disk, const fs::path& file, const std::strin
         throw KeptError(file.string() + ": " + error.what());
     }
     return kept;
+}
+
+std::optional<Kept> open_kept(Disk& disk, const fs::path& file, const std::string& id, const TakeUp& wanted) {
+    return open_kept(KeptContents(file, disk), file, id, wanted);
 }
 
 run::Course begin(const Kept& kept, const TakeUp& wanted) {
@@ -198,13 +217,19 @@ void settle(Disk& disk, std::initializer_list<fs::path> folders) {
 }
 
 /// Leaves the checkpoint of that file alone, without what is behind it, in one of its own: who is lost before
-/// he has a file of his own stands at that checkpoint again. Throws KeptError.
+/// he has a file of his own stands at that checkpoint again, and of him it counts anew. Throws KeptError.
 void leave_checkpoint(Disk& disk, const fs::path& file, const fs::path& alone) {
     const KeptContents contents(file, disk);
     try {
         KeptWriter writer(alone, disk);
         for (const auto& [kind, at, payload] : contents.entries())
-            if (kind == Record::beginning || kind == Record::checkpoint) writer.add(kind, payload);
+            if (kind == Record::beginning) {
+                Beginning beginning = decode_beginning(payload);
+                beginning.course.settled = number_of(alone);
+                writer.add(kind, encode(beginning));
+            } else if (kind == Record::checkpoint) {
+                writer.add(kind, payload);
+            }
         writer.write();
         writer.sync();
     } catch (const KeptError&) {
@@ -213,27 +238,22 @@ void leave_checkpoint(Disk& disk, const fs::path& file, const fs::path& alone) {
     }
 }
 
-/// How often the exercise was taken up since it last came to a checkpoint.
-std::size_t attempts_at(Disk& disk, const fs::path& folder) {
-    const fs::path file = attempts_file(folder);
+/// One for each time that the exercise was taken up since the file with which it settled.
+std::size_t attempts_in(Disk& disk, const fs::path& file) {
     return disk.exists(file) ? disk.read(file).size() : 0;
 }
 
-void count_attempt(Disk& disk, const fs::path& folder) {
+void count_attempt(Disk& disk, const fs::path& file) {
     constexpr std::uint8_t kOne = '.';
     try {
-        disk.append(attempts_file(folder), {&kOne, 1});
+        disk.append(file, {&kOne, 1});
     } catch (const std::system_error&) { // a full disk hinders no start
     }
 }
 
-void forget_attempts(Disk& disk, const fs::path& folder) {
-    disk.remove(attempts_file(folder));
-    settle(disk, {folder});
-}
-
 TakenUp taken_up(const Kept& kept, const run::Course& course, const TakeUp& wanted) {
     TakenUp taken;
+    taken.how.course = kept.course;
     taken.def = course.exercise().def();
     taken.how.checkpoint = course.checkpoint();
     if (!kept.status) return taken;
@@ -260,10 +280,12 @@ struct Checkpointed {
     TakenUp taken;
 };
 
-/// The newest checkpoint of these files that is before that time (s); nothing: there is none.
-std::optional<Checkpointed> checkpoint_before(double time, Disk& disk, std::span<const fs::path> files,
-                                              const std::string& id, const TakeUp& wanted) {
-    for (auto file = files.rbegin(); file != files.rend(); ++file) {
+/// The newest checkpoint of a course that is before that time (s); nothing: there is none. first: number of
+/// the course's first file.
+std::optional<Checkpointed> checkpoint_before(double time, std::uint64_t first, Disk& disk,
+                                              std::span<const fs::path> files, const std::string& id,
+                                              const TakeUp& wanted) {
+    for (auto file = files.rbegin(); file != files.rend() && number_of(*file) >= first; ++file) {
         try {
             const auto kept = open_kept(disk, *file, id, wanted);
             if (kept && kept->checkpoint.time() < time) // not where it was taken up, and lost again
@@ -284,6 +306,7 @@ std::vector<fs::path> left_behind(const std::optional<Checkpointed>& stands, Dis
     std::copy_if(files.rbegin(), files.rend(), std::back_inserter(left), [&](const fs::path& file) {
         if (!stands) return true;
         if (file == stands->file) return false;
+        if (number_of(file) < stands->taken.how.course.first) return true;
         try {
             const auto kept = open_kept(disk, file, id, wanted);
             return !kept || kept->checkpoint.time() >= stands->time;
@@ -305,16 +328,17 @@ TakenUp set_back(Disk& disk, const std::vector<fs::path>& files, const fs::path&
     const double lost_at = newest.reached.empty() ? newest.checkpoint.time() : newest.reached.back().time();
     constexpr double kAny = std::numeric_limits<double>::infinity();
     const std::span all(files);
-    auto stands = again ? checkpoint_before(kAny, disk, all, id, wanted)
-                        : checkpoint_before(lost_at, disk, all.first(all.size() - 1), id, wanted);
+    auto stands = checkpoint_before(again ? kAny : lost_at, newest.course.first, disk,
+                                    again ? all : all.first(all.size() - 1), id, wanted);
     if (stands && !again) {
-        forget_attempts(disk, folder); // what is counted beside the new file is counted of it
         try {
             const fs::path alone = set_back_file(files.back());
             leave_checkpoint(disk, stands->file, alone);
             stands->file = alone;
+            stands->taken.how.course.settled = number_of(alone);
         } catch (const KeptError&) {
             // A disk that takes nothing: it stands there all the same, until it is lost.
+            forget_attempts(folder, disk);
         }
     }
     fs::path place = aside;
@@ -325,7 +349,10 @@ TakenUp set_back(Disk& disk, const std::vector<fs::path>& files, const fs::path&
             disk.rename(file, place / file.filename());
     }
     settle(disk, {place, aside, folder});
-    if (!stands) forget_attempts(disk, folder); // as long as it is there, nobody was told
+    if (!stands) { // as long as they are there, nobody was told
+        forget_attempts(folder, disk);
+        settle(disk, {folder});
+    }
     return tell_set_back(stands ? std::move(stands->taken) : TakenUp{},
                          again ? "its last state" : "its state at " + run::clock_text(lost_at), place);
 }
@@ -333,20 +360,30 @@ TakenUp set_back(Disk& disk, const std::vector<fs::path>& files, const fs::path&
 std::optional<TakenUp> look_for(Disk& disk, const fs::path& folder, const std::string& id,
                                 const fs::path& aside, const TakeUp& wanted) {
     auto files = kept_files(folder, disk);
-    const std::size_t attempts = attempts_at(disk, folder);
-    if (files.empty() && attempts <= kMaxAttempts) return std::nullopt;
-    if (files.empty()) { // set back, and lost before anybody was told
-        forget_attempts(disk, folder);
+    if (files.empty()) {
+        const bool told = std::ranges::none_of(attempts_files(folder, disk), [&](const fs::path& file) {
+            return attempts_in(disk, file) > kMaxAttempts;
+        });
+        if (told) return std::nullopt;
+        forget_attempts(folder, disk); // set back, and lost before anybody was told
+        settle(disk, {folder});
         return tell_set_back({}, "its last state", aside);
     }
-    count_attempt(disk, folder);
     try {
         for (; !files.empty(); files.pop_back()) {
-            const auto kept = open_kept(disk, files.back(), id, wanted);
-            if (kept && (attempts >= kMaxAttempts || is_set_back(files.back())))
+            const KeptContents contents(files.back(), disk);
+            const auto course = course_of(contents, files.back());
+            if (!course) { // lost before it was whole: the one before goes up to the same tick
+                disk.remove(files.back());
+                continue;
+            }
+            const fs::path counted = attempts_file(folder, course->settled);
+            const std::size_t attempts = attempts_in(disk, counted);
+            count_attempt(disk, counted);
+            const Kept kept = open_kept(contents, files.back(), id, wanted).value();
+            if (attempts >= kMaxAttempts || is_set_back(files.back()))
                 return set_back(disk, files, folder, id, aside, wanted, attempts);
-            if (kept) return taken_up(*kept, work_again(*kept, wanted), wanted);
-            disk.remove(files.back()); // lost before it was whole: the one before goes up to the same tick
+            return taken_up(kept, work_again(kept, wanted), wanted);
         }
         remove_kept(folder, disk); // lost before anything was kept
         return std::nullopt;

@@ -33,7 +33,8 @@ inline constexpr std::size_t kMaxAside = 50;
 /// Takes up what is kept in the folder of that exercise. What cannot be gone on from is moved below `aside`,
 /// and the exercise begins anew: then what is wrong stands in Resumption::refused, with the file's name.
 /// Counts as an attempt, until KeptExercise has written the next checkpoint: after two the state that was
-/// kept last goes aside, and the checkpoint before it is gone on from. Nothing: nothing is kept.
+/// kept last goes aside, and the checkpoint before it in its course is gone on from. Nothing: nothing is
+/// kept.
 std::optional<TakenUp> take_up(const std::filesystem::path& folder, const std::string& id,
                                const std::filesystem::path& aside, const TakeUp& wanted,
                                Disk& disk = system_disk());

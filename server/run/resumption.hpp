@@ -9,6 +9,12 @@
 
 namespace windlass::run {
 
+/// Which files of what is kept of an exercise are of one course, by their numbers.
+struct KeptCourse {
+    std::uint64_t first = 0;   ///< 0: nothing is kept of it yet
+    std::uint64_t settled = 0; ///< from which on it counts how often the server is lost
+};
+
 /// What has come of the kept state, for the session that begins.
 struct Resumption {
     std::vector<std::uint8_t> checkpoint; ///< to go on from; empty: the exercise begins from its definition
@@ -21,6 +27,7 @@ struct Resumption {
     /// The state that was kept last ended the server again and again and is not gone on from: told in an
     /// alarm, and nothing runs until somebody starts it. Empty: it did not.
     std::string set_back;
+    KeptCourse course{}; ///< of one that is taken up
 };
 
 /// "M:SS", for people.

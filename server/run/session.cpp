@@ -103,6 +103,7 @@ void Session::begin_run() {
     next_ = snapshot_;
     history_.clear();
     failure_.clear();
+    kept_course_ = {};
     held_ = false;
     forget_hands();
 }

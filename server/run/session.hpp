@@ -93,6 +93,8 @@ public:
     bool hand_is_late() const;
     /// Counts exercises set up: changes with each load, reset and restore.
     unsigned setups() const { return setups_; }
+    /// Of which kept course this run is the next part; `first` 0: of none, it begins one.
+    const KeptCourse& kept_course() const { return kept_course_; }
     double dt() const { return 1.0 / def().tick_rate_hz; } ///< s
 
     /// What the pacer measured and the publisher dropped, for the status.
@@ -193,6 +195,7 @@ private:
     double time_ = 0;             // s, of it
     bool seen_ = false;           // the snapshot shows it
     RunStatus status_;
+    KeptCourse kept_course_;
     AlertBoard alerts_;
     RefusalLog refusals_;
     CommandHistory history_;

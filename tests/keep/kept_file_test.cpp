@@ -128,7 +128,7 @@ TEST_F(KeptFile, OfAnotherFormatIsRefusedInASentence) {
                 testing::Throws<KeptError>(Property(
                     &KeptError::what, path_.string() +
                                           ": format 9 is not allowed: this version of the server keeps in "
-                                          "format 1")));
+                                          "format 2")));
     put(path_, "a shopping list");
     EXPECT_THAT(
         [&] { const KeptContents contents(path_); },

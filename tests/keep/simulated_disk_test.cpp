@@ -156,6 +156,101 @@ TEST(SetBack, CountsTheLossesOfTheServersThatStandThere) {
     EXPECT_THAT(anew->how.set_back, HasSubstr("it begins from its file"));
 }
 
+/// A server runs what it took up, or began anew, up to that tick and is lost.
+void lose_at(std::uint64_t tick, SimDisk& disk, const World& world, const run::Resumption& how) {
+    KeptExercise kept(kFolder, "anna", test::let_go_hash(), disk, [&world] { return world.time(); });
+    LetGo let_go(how);
+    keep_up_to(tick, kept, let_go);
+    kept.write_waiting();
+}
+
+/// A course with two checkpoints, of which two servers were lost, and which the disk refused to have put
+/// aside when the third began anew.
+class OldCourse : public testing::Test {
+protected:
+    OldCourse() {
+        KeptAt kept(3100);
+        kept.copy_to(disk_);
+        start(disk_), start(disk_);
+        disk_.refuses = true;
+        anew_ = start(disk_)->how;
+        disk_.refuses = false;
+        EXPECT_THAT(anew_.refused, HasSubstr("Input/output error"));
+        EXPECT_THAT(kept_files(kFolder, disk_), SizeIs(2));
+    }
+
+    World world_{1};
+    SimDisk disk_{world_};
+    run::Resumption anew_;
+};
+
+TEST_F(OldCourse, IsNotTakenForTheNewOneAndItsLossesAreNotCountedOfIt) {
+    lose_at(600, disk_, world_, anew_);
+    for (int loss = 0; loss < 2; ++loss) {
+        const auto taken = start(disk_);
+        EXPECT_EQ(time(taken), 2) << loss;
+        EXPECT_EQ(taken->how.set_back, "") << loss;
+    }
+    const auto back = start(disk_);
+    ASSERT_TRUE(back && !back->def) << "a checkpoint before is there, of the old course";
+    EXPECT_THAT(back->how.set_back, HasSubstr("its state at 0:02 ended the server 2 times"));
+    EXPECT_THAT(back->how.set_back, HasSubstr("it begins from its file"));
+    EXPECT_THAT(kept_files(kAside / "anna-1", disk_), SizeIs(3)) << "with what is left of the old one";
+}
+
+TEST_F(OldCourse, GoesWithTheSecondCheckpointOfTheNewOne) {
+    lose_at(3100, disk_, world_, anew_);
+    EXPECT_THAT(kept_files(kFolder, disk_), SizeIs(2));
+    EXPECT_THAT(attempts_files(kFolder, disk_), IsEmpty());
+    EXPECT_NEAR(time(start(disk_)), 3100 / 300.0, 1e-9);
+}
+
+TEST(SetBack, GoesNoFurtherBackThanAResetOfWhichTheDiskTookNothingAtFirst) {
+    KeptAt kept(3100);
+    World world(1);
+    SimDisk disk(world);
+    kept.copy_to(disk);
+    const auto taken = start(disk);
+    {
+        KeptExercise again(kFolder, "anna", test::let_go_hash(), disk, [&world] { return world.time(); });
+        LetGo let_go(taken->how);
+        disk.refuses = true;
+        let_go.look(&again);
+        again.write_waiting();
+        let_go.give(run::RunAction::reset);
+        let_go.look(&again);
+        disk.refuses = false;
+        keep_up_to(600, again, let_go);
+    }
+    for (int loss = 0; loss < 2; ++loss)
+        EXPECT_EQ(time(start(disk)), 2) << loss;
+    EXPECT_FALSE(start(disk)->def) << "not to a checkpoint from before the reset";
+}
+
+TEST(SetBack, IsForLossesBehindTheLastCheckpointThoughTheDiskRefusedToForgetThoseBefore) {
+    KeptAt kept(600);
+    World world(1);
+    SimDisk disk(world);
+    kept.copy_to(disk);
+    start(disk);
+    const auto second = start(disk);
+    {
+        KeptExercise again(kFolder, "anna", test::let_go_hash(), disk, [&world] { return world.time(); });
+        LetGo let_go(second->how);
+        keep_up_to(2970, again, let_go);
+        let_go.go_to(3001, &again);
+        again.write_waiting();
+        again.sync();
+        disk.refuses = true;
+        again.write_waiting();
+    }
+    disk.refuses = false;
+    ASSERT_THAT(attempts_files(kFolder, disk), SizeIs(1));
+    const auto third = start(disk);
+    EXPECT_GE(time(third), 10);
+    EXPECT_EQ(third->how.set_back, "");
+}
+
 TEST(PutAside, StaysThereAfterAPowerCut) {
     KeptAt kept(400);
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {

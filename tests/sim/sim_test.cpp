@@ -129,6 +129,23 @@ private:
     double now_ = 0; // s
 };
 
+TEST(Checks, FindACourseThatIsSetBackForLossesOfTheOneBefore) {
+    for (int losses = 0; losses < 3; ++losses) {
+        const World world(1);
+        Checks checks(world);
+        const run::Session session({}, {});
+        checks.begins(session, {.first = true});
+        checks.handed_over(checks.place());
+        for (int k = 0; k <= losses; ++k)
+            checks.starts();
+        const Beginning back{.refused = "lost twice", .set_back = "lost twice", .attempts = 2};
+        if (losses < 2)
+            EXPECT_THROW(checks.begins(session, back), Failure) << losses;
+        else
+            EXPECT_NO_THROW(checks.begins(session, back));
+    }
+}
+
 WindlassCommand levers(double brake, double speed_lever = 0) {
     WindlassCommand levers;
     levers.brake(brake), levers.speed_lever(speed_lever);

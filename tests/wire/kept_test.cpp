@@ -147,7 +147,7 @@ TEST_F(ServerThatKeeps, DISABLED_PrintTimes) {
         ASSERT_TRUE(eventually([&] { return witness_.status().time() > from + 5; })) << server->text();
         kill_9(*server);
         // Ten kills within the first seconds are what a server gives up at; here they are meant.
-        std::filesystem::remove(keep::attempts_file(folder_ / "keep" / "exercise-default"));
+        keep::forget_attempts(folder_ / "keep" / "exercise-default");
         const OnDisk kept(folder_ / "keep");
         standing.push_back(static_cast<double>(witness_.status().tick()) - static_cast<double>(kept.tick));
         const auto begin = Clock::now();

@@ -143,7 +143,7 @@ TEST_F(ServerOfWorkers, DISABLED_TwentyKillsOfAWorker) {
             ASSERT_TRUE(eventually([&] { return witness_.status().time() > from + wait; })) << server.text();
             const auto run = witness_.status().run();
             // Kills within 10 s of the exercise are what a server gives up at; here they are meant.
-            std::filesystem::remove(keep::attempts_file(keep / "exercise-default"));
+            keep::forget_attempts(keep / "exercise-default");
             ASSERT_EQ(kill(holder_of(keep), SIGKILL), 0);
             const auto begin = Clock::now();
             ASSERT_TRUE(eventually([&] {
