@@ -6,6 +6,7 @@
 #include "server/keep/beginning.hpp"
 #include "server/keep/kept_exercise.hpp"
 #include "server/keep/take_up.hpp"
+#include "server/run/prediction.hpp"
 #include "sim/checks.hpp"
 #include "sim/disk.hpp"
 #include "sim/hands.hpp"
@@ -27,6 +28,7 @@ constexpr const char* kId = "anna";
 const fs::path kFolder = "/kept/exercise-anna", kAside = "/kept/aside";
 constexpr double kWriteEvery = 0.01, kSyncEvery = 1;   // s, as keep::Keeper
 constexpr double kBeatCost = 0.0003;                   // s of processor time in a beat
+constexpr int kLookedAhead = 30;                       // ticks, beside a beat
 constexpr std::size_t kRoomy = 8 << 20;                // bytes: more than an exercise may take of the disk
 constexpr std::size_t kMemory = 256 << 20;             // bytes
 constexpr std::uint64_t kFirstRun = 1'800'000'000'000; // ms since 1970
@@ -48,6 +50,13 @@ std::size_t attempts(SimDisk& disk) {
     return 0;
 }
 
+/// A prediction that is being made, or was.
+struct Ahead {
+    run::Branch branch;
+    int ticks = 0;          // that are still to be gone through
+    double rests_until = 0; // s, up to the next
+};
+
 /// What one server is, until it is lost.
 struct Server {
     Server(World& world, SimDisk& disk, const exercise::ExerciseDef& def, run::SessionOptions options)
@@ -66,6 +75,7 @@ struct Server {
     unsigned setups;
     run::Inbox inbox;
     std::optional<Checks::Place> handed_over{}; // since the disk was waited for last
+    std::optional<Ahead> ahead{};
 };
 
 class Centre {
@@ -89,6 +99,7 @@ private:
     void lose(Loss how);
     void beat(std::uint64_t life);
     void tick();
+    void look_ahead();
     void write(std::uint64_t life);
     void sync(std::uint64_t life);
     void weather_the_disk(std::uint64_t life);
@@ -238,6 +249,7 @@ void Centre::beat(std::uint64_t) {
         server.pacer.set_scale(session.status().time_scale, now);
     server.pacer.hold_back(session.hand_is_late(), now);
     server.pacer.set_standing(!session.running(), now);
+    look_ahead();
     tell();
     after(std::max(world_.seconds(server.pacer.due()) - world_.now(), kBeatCost), &Centre::beat);
 }
@@ -268,6 +280,30 @@ void Centre::tick() {
     checks_.sabotage_order = sabotage && plan_.sabotage == Sabotage::order_altered;
     checks_.look(session, server.inbox, now, server.kept.trouble());
     session.clear_news();
+}
+
+/// As host::Outlook: a branch is made of a copy of the state and gone through beside the exercise, which goes
+/// on as if there were none.
+void Centre::look_ahead() {
+    Server& server = *server_;
+    const run::Session& session = server.session;
+    std::optional<Ahead>& ahead = server.ahead;
+    if (!session.predicts() || (ahead && ahead->branch.found().run != session.status().run)) ahead.reset();
+    if (!session.predicts()) return;
+    if (!ahead || (ahead->ticks == 0 && world_.now() >= ahead->rests_until)) {
+        Chance& chance = world_.chance();
+        const auto state = session.state();
+        ahead.emplace(Ahead{.branch = {state, session.status().run},
+                            .ticks = static_cast<int>(chance.spread(1, 3000)),
+                            .rests_until = world_.now() + chance.spread(2, 20)});
+        ++outcome_.predictions;
+        ahead->branch.step();
+        if (session.state() != state)
+            throw Failure{"prediction", "the exercise stays as it is",
+                          "another state, as it is looked ahead"};
+    }
+    for (int k = 0; k < kLookedAhead && ahead->ticks > 0; ++k)
+        ahead->ticks = ahead->branch.step() ? ahead->ticks - 1 : 0;
 }
 
 void Centre::tell() {

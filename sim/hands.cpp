@@ -124,6 +124,7 @@ void Hands::run_order(ExerciseAction action, double value) {
     command.action(action);
     command.time_scale(action == EXERCISE_TIME_SCALE ? value : 1);
     command.restore_time(action == EXERCISE_RESTORE ? value : 0);
+    command.predict(action == EXERCISE_PREDICT && value != 0);
     order(command);
 }
 
@@ -163,6 +164,8 @@ void Hands::desk() {
         run_order(EXERCISE_STOP);
     } else if (drawn < 0.35) {
         run_order(EXERCISE_BOOKMARK);
+    } else if (drawn < 0.40) {
+        run_order(EXERCISE_PREDICT, chance.in(0.8) ? 1 : 0);
     } else if (drawn < 0.50) {
         FaultCommand fault;
         fault.code(static_cast<FaultCode>(chance.below(8)));

@@ -38,6 +38,13 @@ TEST(Centre, OfAnotherSeedIsAnother) {
     EXPECT_NE(run({.seed = 1}).digest, run({.seed = 2}).digest);
 }
 
+TEST(Centre, IsAskedForPredictions) {
+    std::uint64_t made = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+        made += run({.seed = seed}).predictions;
+    EXPECT_GT(made, 0U);
+}
+
 TEST(Centre, NotDrawnFromItsSeedAloneIsNotTheSame) {
     const Plan plan{.seed = 1, .minutes = 0.2, .sabotage = Sabotage::chance};
     EXPECT_NE(run(plan).digest, run(plan).digest);
