@@ -56,18 +56,18 @@ std::uint64_t total(const Drops& drops) {
 }
 
 /// One recording, from the first sample to the last.
-class JoinOptions {
+class Session {
 public:
-    explicit JoinOptions(const RecordOptions& options)
+    explicit Session(const RecordOptions& options)
         : options_(options),
           queue_(bytes(options.queue_mb)),
+          capture_(std::in_place, options.session.session(), queue_),
           tape_({.folder = options.output,
                  .compression = options.compression == "lz4"    ? mcap::Compression::lz4
                                 : options.compression == "zstd" ? mcap::Compression::zstd
                                                                 : mcap::Compression::none,
                  .roll_size = bytes(options.roll_mb),
-                 .metadata = metadata(options)}),
-          capture_(std::in_place, options.session.session(), queue_) {}
+                 .metadata = metadata(options)}) {}
 
     int run() {
         tell(fmt::format("recording partition {}, domain {}, into {}", options_.session.session().partition,
@@ -83,6 +83,7 @@ public:
         } catch (const mcap::WriteError& error) {
             disk_refused(error);
         }
+        if (!heard_something()) tape_.discard();
         return report();
     }
 
@@ -169,8 +170,19 @@ private:
         return entries;
     }
 
+    /// Where nobody was heard, as in the wrong domain or partition, there is nothing to be kept.
+    bool heard_something() const {
+        return tape_.messages() + tape_.lost() + in_hand_ + total(queue_.drops()) > 0;
+    }
+
     int report() const {
         tell(fmt::format("{}: {}", code_ == kOk ? "ended" : "ended early", ended_));
+        if (!heard_something()) {
+            tell(fmt::format("nothing was heard in partition {} of domain {}: no recording is left in {}",
+                             options_.session.session().partition, options_.session.domain,
+                             options_.output.string()));
+            return code_;
+        }
         tell(fmt::format("{} messages saved in {} file{} of {} in {}", tape_.messages(), tape_.files(),
                          tape_.files() == 1 ? "" : "s", megabytes(tape_.bytes()), options_.output.string()));
         if (const auto drops = total(queue_.drops()); drops > 0)
@@ -182,8 +194,8 @@ private:
 
     const RecordOptions& options_;
     SampleQueue queue_;
+    std::optional<Capture> capture_; // before the tape: who cannot join makes no folder
     Tape tape_;
-    std::optional<Capture> capture_;
     Clock::time_point started_ = Clock::now(), next_look_ = started_ + 1s;
     std::string ended_, exercise_;
     std::uint64_t drops_told_ = 0;
@@ -202,7 +214,7 @@ int record(RecordOptions& options) {
     station::catch_stop_signals();
     std::signal(SIGXFSZ, SIG_IGN); // a limit on file size is told by write(), like a full disk
     try {
-        return JoinOptions(options).run();
+        return Session(options).run();
     } catch (const mcap::WriteError& error) {
         tell(error.what());
         return kDisk;

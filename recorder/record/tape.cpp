@@ -37,21 +37,41 @@ std::int64_t now() {
 } // namespace
 
 Tape::Tape(TapeOptions options) : options_(std::move(options)) {
+    try {
+        make_folder();
+        for (const auto& entry : fs::directory_iterator(options_.folder))
+            if (entry.path().extension() == ".mcap")
+                throw std::runtime_error(options_.folder.string() +
+                                         ": there is a recording in it already; name another folder");
+        begin_file();
+    } catch (...) {
+        discard();
+        throw;
+    }
+}
+
+void Tape::make_folder() {
     std::error_code error;
-    fs::create_directories(options_.folder, error);
+    for (fs::path path = fs::absolute(options_.folder / "").parent_path(); !fs::exists(path, error) && !error;
+         path = path.parent_path())
+        made_.push_back(path);
+    if (!error) fs::create_directories(options_.folder, error);
     if (error)
         throw mcap::WriteError(options_.folder.string() + ": cannot make this folder: " + error.message(),
                                error.value());
-    for (const auto& entry : fs::directory_iterator(options_.folder))
-        if (entry.path().extension() == ".mcap")
-            throw std::runtime_error(options_.folder.string() +
-                                     ": there is a recording in it already; name another folder");
-    begin_file();
+}
+
+void Tape::discard() {
+    file_.reset();
+    std::error_code stays; // what holds something else, or the system does not let go
+    for (const auto& path : made_)
+        fs::remove(path, stays);
 }
 
 void Tape::begin_file() {
     const auto folder = fs::absolute(options_.folder / "").parent_path();
     const auto name = fmt::format("{}_{:03}.mcap", folder.filename().string(), part_);
+    made_.insert(made_.begin(), folder / name);
     file_ =
         std::make_unique<mcap::Writer>(folder / name, mcap::WriterOptions{.compression = options_.compression,
                                                                           .library = "windlass recorder"});

@@ -29,6 +29,9 @@ public:
     void attach(std::vector<ExerciseFile> files);
     /// Ends the recording. The entries stand in the last file as metadata "windlass.closing".
     void close(const mcap::Strings& closing);
+    /// Leaves nothing behind: neither its files nor the folders that it made, as far as the system lets them
+    /// go. To be called last.
+    void discard();
 
     std::uint64_t messages() const { return taken_ - lost(); } ///< in the files, the open chunk included
     std::uint64_t lost() const;                                ///< that could not be written
@@ -40,13 +43,15 @@ private:
 
     void begin_file();
     void end_file();
+    void make_folder();
     void write_attachments();
     std::uint16_t schema_of(std::size_t topic);
     std::uint16_t channel_of(const Sample& sample);
 
     TapeOptions options_;
     std::unique_ptr<mcap::Writer> file_;
-    std::size_t part_ = 0; // files begun
+    std::vector<std::filesystem::path> made_; // files and folders, a folder behind what is in it
+    std::size_t part_ = 0;                    // files begun
     std::map<std::size_t, std::uint16_t> schemas_;
     std::map<ChannelKey, std::uint16_t> channels_;
     std::vector<ExerciseFile> attachments_;

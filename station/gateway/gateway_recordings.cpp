@@ -78,7 +78,8 @@ void Gateway::tend_recorders() {
             continue;
         }
         log((at->second.stopping ? "recorded " : "the recorder ended by itself: ") + at->second.name);
-        recorded_[at->first] = at->second.name;
+        if (std::filesystem::exists(options_.recordings / at->second.name)) // something was heard
+            recorded_[at->first] = at->second.name;
         at = recordings_.erase(at);
     }
 }

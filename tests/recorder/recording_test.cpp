@@ -3,6 +3,7 @@
 #include "recorder/info/figures.hpp"
 #include "recorder/record/sample_queue.hpp"
 #include "recorder/replay/replay_state.hpp"
+#include "rigs/file_size_limit.hpp"
 
 #include "tests/recorder/folder.hpp"
 #include "tests/recorder/made_recording.hpp"
@@ -14,9 +15,11 @@ namespace windlass::recorder {
 namespace {
 
 using recording::Recording;
+using test::content;
 using test::Folder;
 using test::kSecond;
 using test::kStart;
+using test::put;
 using test::sample;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -195,6 +198,33 @@ TEST(TapeTest, FolderWithARecordingInItIsRefused) {
     const Folder folder;
     Tape({.folder = folder / "a"}).close({});
     EXPECT_THROW(Tape({.folder = folder / "a"}), std::runtime_error);
+}
+
+TEST(TapeTest, ThatIsDiscardedLeavesNothingOfItsOwnAndAllOfOthers) {
+    const Folder folder;
+    std::filesystem::create_directories(folder / "there");
+    put(folder / "there" / "notes.txt", "kept");
+    for (const char* name : {"new/of/it", "there"}) {
+        Tape tape({.folder = folder / name});
+        tape.close({});
+        EXPECT_TRUE(std::filesystem::exists(folder / name));
+        tape.discard();
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "new"));
+    EXPECT_EQ(content(folder / "there" / "notes.txt"), "kept");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "there"), {}), 1);
+}
+
+TEST(TapeTest, ThatCannotBeBegunLeavesNoFolder) {
+    const Folder folder;
+    Tape({.folder = folder / "a"}).close({});
+    put(folder / "file", "no folder");
+    EXPECT_THROW(Tape({.folder = folder / "file" / "b"}), std::runtime_error);
+    {
+        const rigs::FileSizeLimit full(0);
+        EXPECT_THROW(Tape({.folder = folder / "c"}), mcap::WriteError);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "c"));
 }
 
 TEST(TapeTest, ThousandsOfWritersShareAChannel) {

@@ -206,6 +206,20 @@ TEST(RecorderProgram, RefusesToStartWhereThereIsTooLittleRoom) {
     EXPECT_FALSE(std::filesystem::exists(folder / "r"));
 }
 
+TEST(RecorderProgram, LeavesNothingBehindWhereNothingWasHeard) {
+    const Folder folder;
+    const std::string record = "record --domain " + std::to_string(rigs::own_domain()) + " --output " +
+                               (folder / "new" / "rec").string();
+    const auto quiet = run_recorder(record + " --partition nobody-there --duration 1");
+    EXPECT_EQ(quiet.code, 0);
+    EXPECT_THAT(quiet.text, HasSubstr("nothing was heard in partition exercise/nobody-there of domain"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "new"));
+
+    const auto wrong = run_recorder(record + " --partition 'no name' --duration 1");
+    EXPECT_NE(wrong.code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder / "new")) << wrong.text;
+}
+
 TEST(RecorderProgram, CountsWhatItDidNotHear) {
     const Folder folder;
     RecorderProcess recorder_process(folder / "r");
