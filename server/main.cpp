@@ -28,10 +28,24 @@ using namespace windlass::server;
 
 constexpr const char* kLogPattern = "%H:%M:%S.%e %^%-5l%$ %v";
 
-volatile std::sig_atomic_t stop_signal = 0;
+volatile std::sig_atomic_t stop_signal = 0, anew_wanted = 0;
 
 void on_signal(int number) {
     stop_signal = number;
+}
+
+void on_anew(int) {
+    anew_wanted = 1;
+}
+
+/// Somebody wants the server to begin anew, as it is to read its identity and the list of the revoked again;
+/// true: it may, since its exercises are kept.
+bool is_to_begin_anew(const Options& options) {
+    if (anew_wanted == 0) return false;
+    anew_wanted = 0;
+    if (options.keep.empty())
+        spdlog::error("SIGUSR1: without --keep the exercises would be lost; it goes on");
+    return !options.keep.empty();
 }
 
 /// Text for people on stderr, written by a thread of its own: a slow terminal must not hold up a tick.
@@ -206,6 +220,10 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
             return name_taken(taken);
         }
         if (servers.gave_all_way() && !options.classroom) return kNameTaken;
+        if (is_to_begin_anew(options)) {
+            servers.leave_all();
+            return kBeginsAnew;
+        }
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     const bool failed = servers.any_stopped_by_fault();
@@ -290,8 +308,9 @@ int supervise(Options options) {
         if (lock) lock->leave_to_parent();
         return work(all.at(number - 1), pulse);
     };
-    return workers::supervise(options.workers, {.memory = std::uint64_t{options.worker_memory_mb} << 20U},
-                              share_of, [] { return static_cast<int>(stop_signal); });
+    return workers::supervise(
+        options.workers, {.memory = std::uint64_t{options.worker_memory_mb} << 20U}, share_of,
+        [] { return static_cast<int>(stop_signal); }, [&] { return is_to_begin_anew(options); });
 }
 
 } // namespace
@@ -301,6 +320,7 @@ int main(int argc, char** argv) {
     if (const int* code = std::get_if<int>(&options)) return *code;
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
+    std::signal(SIGUSR1, on_anew);
     std::signal(SIGXFSZ, SIG_IGN); // a limit on file size is told by write(), like a full disk
     std::signal(SIGPIPE, SIG_IGN); // who reads the log may go away; the exercises go on
     if (std::get<Options>(options).workers > 0) return supervise(std::get<Options>(options));

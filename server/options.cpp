@@ -22,6 +22,7 @@ Exit codes:
   4  DDS could not start
   5  another server of the domain has an exercise of that --partition, or that --name
   6  the folder of --keep cannot be used, or another server keeps its exercises there
+  7  asked by SIGUSR1 to begin anew: all is kept, start it again; with --workers they begin anew by themselves
 
 Several exercises: as many --partition as --exercise, in the same order. Without any --exercise, each partition
 gets the built-in one. Every exercise is on its own; they share the threads.

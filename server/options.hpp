@@ -19,7 +19,8 @@ enum ExitCode {
     kBadConfiguration = 3,
     kNoDds = 4,
     kNameTaken = 5,
-    kCannotKeep = 6
+    kCannotKeep = 6,
+    kBeginsAnew = 7 ///< asked by SIGUSR1: its exercises are kept, and it is to be started again
 };
 
 struct Options {

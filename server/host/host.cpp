@@ -53,6 +53,12 @@ void Host::close_all(const std::string& reason) {
     exercises_.clear();
 }
 
+void Host::leave_all() {
+    for (const auto& [id, exercise] : exercises_)
+        threads_.tasks.remove(*exercise);
+    exercises_.clear();
+}
+
 std::vector<HostedStatus> Host::status() const {
     std::vector<HostedStatus> all;
     all.reserve(size());

@@ -29,6 +29,9 @@ public:
     /// Ends an exercise for that reason and leaves its partition. False: there is none of that id.
     bool close(const std::string& id, const std::string& reason);
     void close_all(const std::string& reason);
+    /// Leaves them as a server does that is lost, but with all of them that is to be kept on disk: nobody is
+    /// told that they have ended.
+    void leave_all();
 
     std::size_t size() const { return exercises_.size(); }
     bool has(const std::string& id) const { return exercises_.contains(id); }

@@ -63,7 +63,10 @@ HostedExercise::~HostedExercise() {
 }
 
 void HostedExercise::stop_keeping(bool in_order) {
-    if (const auto kept = std::exchange(kept_, nullptr)) kept->close(in_order);
+    const auto kept = std::exchange(kept_, nullptr);
+    if (!kept) return;
+    if (!in_order) kept->look(session_, true);
+    kept->close(in_order);
 }
 
 void HostedExercise::keep() {

@@ -111,4 +111,9 @@ void ServerGroup::close_all(const std::string& reason) {
         server->host.close_all(reason);
 }
 
+void ServerGroup::leave_all() {
+    for (const auto& server : servers_)
+        server->host.leave_all();
+}
+
 } // namespace windlass::host

@@ -50,6 +50,8 @@ public:
     /// As Host::longest_beat(): of one that never ends, a thread hangs.
     std::chrono::steady_clock::duration longest_beat() const;
     void close_all(const std::string& reason);
+    /// As Host::leave_all().
+    void leave_all();
 
     /// How late ticks began since this was last asked.
     Timekeeping::Figures timekeeping() { return threads_.timekeeping.collect(); }

@@ -138,15 +138,18 @@ void KeptExercise::collect(const run::Session& session) {
         if (!before(order)) put(order);
 }
 
-void KeptExercise::look(const run::Session& session) {
+void KeptExercise::look(const run::Session& session, bool last) {
     const run::RunStatus& status = session.status();
     const bool over = status.state == RunState::finished || status.state == RunState::stopped_by_fault;
     if (over)
         pending_.clear();
     else
         collect(session);
-    const std::unique_lock lock(mutex_, std::try_to_lock); // the exercise waits for nobody who writes
-    if (!lock) return;
+    std::unique_lock lock(mutex_, std::defer_lock);
+    if (last)
+        lock.lock();
+    else if (!lock.try_lock()) // the exercise waits for nobody who writes
+        return;
     const auto now = now_();
     if (session.kept_course().first != 0) resumed_ = Resumed{status.run, session.kept_course()};
     if (waiting_.empty() && !reached_) waits_since_ = now;
@@ -222,6 +225,7 @@ bool KeptExercise::write_waiting() {
             to_sync_.file = file_, to_sync_.size = file_->size();
         }
         note_synced();
+        if (closing && !over) forget_attempts(folder_, disk_);
     } catch (const std::exception& error) {
         fail(error.what());
     }

@@ -54,14 +54,16 @@ public:
 
     // Of the thread that ticks.
 
-    /// Takes what is new, before clear_news(). Of an exercise that has ended nothing is kept any more.
-    void look(const run::Session& session);
+    /// Takes what is new, before clear_news(). Of an exercise that has ended nothing is kept any more. last:
+    /// nothing comes behind it, and whoever is at what waits is waited for.
+    void look(const run::Session& session, bool last = false);
     /// Why the exercise is not kept as it should be; empty: it is.
     const std::string& trouble() const { return trouble_; }
     /// The file has grown so long that the next one should begin, with a checkpoint.
     bool wants_checkpoint() const { return long_; }
 
     /// Nothing more comes; returns when all is written, or time is up. in_order: nothing is to be taken up.
+    /// Who comes so far was not lost by the exercise's state: it is no attempt.
     void close(bool in_order);
 
     // Of the keeper's threads.

@@ -53,6 +53,7 @@ public:
 
     bool at_work() const { return process_ > 0; }
     bool done() const { return code_.has_value(); } ///< by itself, or refused
+    bool serves() const { return at_work() && serves_ && !asked_; }
     int code() const { return code_.value_or(0); }
 
     void start_when_due(Clock::time_point now) {
@@ -93,6 +94,11 @@ public:
             code_ = code;
             return;
         }
+        if (asked_) {
+            next_start_ = now;
+            spdlog::info("worker {} begins anew", number_);
+            return;
+        }
         if (now - started_ > limits_.settled) early_ends_ = 0;
         const auto longest = serves_ ? limits_.served_pause : limits_.last_pause;
         const auto pause =
@@ -102,6 +108,12 @@ public:
         spdlog::error("worker {} {}; it is started again{}", number_, in_words(status),
                       pause > 0ms ? fmt::format(" in {:.1f} s", 1e-3 * static_cast<double>(pause.count()))
                                   : "");
+    }
+
+    /// It is to end and to be started again, at once.
+    void ask_to_begin_anew() {
+        asked_ = at_work();
+        signal(SIGUSR1);
     }
 
     pid_t process() const { return process_; }
@@ -133,7 +145,7 @@ private:
         pulse_ = ends[0];
         started_ = weighed_ = now;
         silence_ = {};
-        serves_ = killed_ = false;
+        serves_ = killed_ = asked_ = false;
         spdlog::debug("worker {} is process {}", number_, process_);
     }
 
@@ -160,7 +172,7 @@ private:
     const Work& work_;
     pid_t process_ = 0;
     int pulse_ = -1; // the pipe's end to read from
-    bool serves_ = false, served_ = false, killed_ = false;
+    bool serves_ = false, served_ = false, killed_ = false, asked_ = false;
     std::optional<int> code_;
     int early_ends_ = 0; // one behind the other
     Clock::duration silence_{};
@@ -169,11 +181,13 @@ private:
 
 } // namespace
 
-int supervise(unsigned count, const Limits& limits, const Work& work, const std::function<int()>& stop) {
+int supervise(unsigned count, const Limits& limits, const Work& work, const std::function<int()>& stop,
+              const std::function<bool()>& anew) {
     std::vector<std::unique_ptr<Worker>> workers;
     for (unsigned number = 1; number <= count; ++number)
         workers.push_back(std::make_unique<Worker>(number, limits, work));
-    int stopping = 0; // the signal that was handed on
+    int stopping = 0;                       // the signal that was handed on
+    std::size_t next_anew = workers.size(); // that is to begin anew; the last is behind it
     for (auto looked = Clock::now();;) {
         const bool refused =
             std::ranges::any_of(workers, [](const auto& worker) { return worker->code() > 1; });
@@ -182,6 +196,10 @@ int supervise(unsigned count, const Limits& limits, const Work& work, const std:
             for (const auto& worker : workers)
                 worker->signal(stopping);
         }
+        if (anew()) next_anew = 0;
+        const auto is_well = [](const auto& worker) { return worker->serves() || worker->done(); };
+        if (next_anew < workers.size() && stopping == 0 && std::ranges::all_of(workers, is_well))
+            workers[next_anew++]->ask_to_begin_anew();
         const auto now = Clock::now();
         for (const auto& worker : workers) {
             if (stopping == 0) worker->start_when_due(now);

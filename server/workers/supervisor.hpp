@@ -29,7 +29,10 @@ using Work = std::function<int(unsigned number, Pulse pulse)>;
 /// Keeps `count` workers at work until each has come to its end, or stop() gives a signal's number, which is
 /// then handed on. One that could not begin the first time ends them all: it would not the next time. Returns
 /// 0, or the first exit code that is not. Forks: call it while the process has one thread. A supervisor that
-/// is killed takes its workers along.
-int supervise(unsigned count, const Limits& limits, const Work& work, const std::function<int()>& stop);
+/// is killed takes its workers along. anew: true, once, when each worker is to end and to be started again,
+/// by SIGUSR1 and one after the other: the next when all serve.
+int supervise(
+    unsigned count, const Limits& limits, const Work& work, const std::function<int()>& stop,
+    const std::function<bool()>& anew = [] { return false; });
 
 } // namespace windlass::workers

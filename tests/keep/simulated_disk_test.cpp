@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <thread>
+
 namespace windlass::keep {
 namespace {
 
@@ -249,6 +251,24 @@ TEST(SetBack, IsForLossesBehindTheLastCheckpointThoughTheDiskRefusedToForgetThos
     const auto third = start(disk);
     EXPECT_GE(time(third), 10);
     EXPECT_EQ(third->how.set_back, "");
+}
+
+TEST(SetBack, IsForNoServerThatEndedByItself) {
+    KeptAt kept(600);
+    World world(1);
+    SimDisk disk(world);
+    kept.copy_to(disk);
+    for (int round = 0; round < 4; ++round) {
+        const auto taken = start(disk);
+        ASSERT_EQ(time(taken), 2) << round;
+        KeptExercise again(kFolder, "anna", test::let_go_hash(), disk, [&world] { return world.time(); });
+        LetGo let_go(taken->how);
+        let_go.look(&again);
+        std::thread closing([&] { again.close(false); });
+        while (again.write_waiting()) {
+        }
+        closing.join();
+    }
 }
 
 TEST(PutAside, StaysThereAfterAPowerCut) {

@@ -323,6 +323,27 @@ TEST(Security, RevokedIdentityIsRefusedByWhoeverStartsAfterwards) {
                 HasSubstr("no secure participant can be created"));
 }
 
+TEST(Security, RevokedIdentityIsOutWhenTheServersWorkersHaveBegunAnew) {
+    const Folder folder;
+    ASSERT_EQ(ours().make("instructor desk-2").code, 0);
+    const auto lost = (folder / "lost").string();
+    fs::copy(ours().of("desk-2"), lost);
+    ServerProcess server({"--domain", std::to_string(own_domain()), "--security", ours().of("server"),
+                          "--keep", (folder / "keep").string(), "--workers", "1"});
+    EXPECT_EQ(console(lost, "status", "", true).code, 0) << server.text();
+    ASSERT_EQ(ours().make("desk-2", "revoke").code, 0);
+    const auto began = std::chrono::steady_clock::now();
+    server.signal(SIGUSR1);
+    ASSERT_TRUE(eventually([&] { return server.text().find("worker 1 begins anew") != std::string::npos; }));
+    EXPECT_THAT(console(ours().of("instructor"), "status", "", true).text, HasSubstr("paused"))
+        << server.text();
+    std::printf("an instructor who joins sees the exercise %.2f s after it was asked\n",
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+    constexpr int kNoServer = 4;
+    EXPECT_EQ(console(lost, kFault).code, kNoServer);
+    EXPECT_THAT(status(), HasSubstr("\"faults\":[]")) << server.text();
+}
+
 TEST(Security, IdentityThatEndsIsToldOfAMonthBeforeAndRefusedAfterwards) {
     auto server = secure_server();
     ASSERT_EQ(ours().make("observer soon --days 20").code, 0);

@@ -66,6 +66,45 @@ TEST_F(ServerOfWorkers, LosesAWorkerAndHasItsExerciseBackWhileItsNeighbourRunsOn
     EXPECT_FALSE(std::filesystem::exists(keep / "exercise-default")) << "ended in order";
 }
 
+TEST_F(ServerOfWorkers, BeginsAnewWhenItIsAskedAndNoMomentIsLost) {
+    ChildProcess server(server_command(
+        folder_, 1,
+        {"--partition", "default", "--exercise", kExercise, "--partition", "other", "--workers", "2"}));
+    ChildProcess trainee(trainee_command());
+    ASSERT_TRUE(eventually([&] { return witness_.status().time() >= 3; })) << server.text();
+    std::uint64_t stands = 0;
+    for (int round = 0; round < 4; ++round) { // three losses would set the exercise back
+        ExerciseTruth last = witness_.truth();
+        const auto run = last.run();
+        server.signal(SIGUSR1);
+        auto heard = Clock::now();
+        ASSERT_TRUE(eventually([&] {
+            const ExerciseTruth truth = witness_.truth();
+            if (truth.run() == run && truth.tick() > last.tick()) heard = Clock::now();
+            if (truth.run() == run) last = truth;
+            return truth.run() > run;
+        })) << server.text();
+        if (round == 0) std::printf("away for %.2f s\n", seconds(Clock::now() - heard));
+        EXPECT_GE(witness_.truth().tick(), last.tick());
+        if (round > 0) {
+            EXPECT_EQ(witness_.truth().tick(), stands) << "it stands paused";
+        }
+        stands = witness_.truth().tick();
+        ASSERT_TRUE(eventually([&] { // both workers are through
+            const std::string text = server.text();
+            std::ptrdiff_t anew = 0;
+            for (auto at = text.find("worker 2 begins anew"); at != std::string::npos;
+                 at = text.find("worker 2 begins anew", at + 1))
+                ++anew;
+            return anew == round + 1;
+        })) << server.text();
+    }
+    EXPECT_EQ(witness_.status().state(), RUN_PAUSED);
+    EXPECT_GE(stands, 900U);
+    server.signal(SIGTERM);
+    EXPECT_EQ(server.exit_code(), 0) << server.text();
+}
+
 TEST_F(ServerOfWorkers, BringsBackWhatWorkersKeptWhenAllOfItWasKilled) {
     const std::vector<std::string> both{"--partition", "default",     "--exercise",
                                         kExercise,     "--partition", "other"};

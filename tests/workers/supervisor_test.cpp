@@ -164,5 +164,25 @@ TEST_F(Supervisor, HandsOnTheSignalThatEndsIt) {
     EXPECT_EQ(book_.count("ended by 15"), 2);
 }
 
+TEST_F(Supervisor, HasEachBeginAnewWhenItIsAskedToOneAfterTheOther) {
+    static volatile std::sig_atomic_t asked = 0;
+    std::signal(SIGUSR1, [](int) { asked = 1; });
+    const auto work = [&](unsigned number, Pulse pulse) {
+        book_.write("began " + std::to_string(number));
+        return serve(pulse, [&]() -> std::optional<int> {
+            if (asked == 0) return std::nullopt;
+            book_.write("ends " + std::to_string(number));
+            return 7;
+        });
+    };
+    bool wanted = true;
+    const auto anew = [&] { return book_.lines().size() == 3 && std::exchange(wanted, false); };
+    EXPECT_EQ(supervise(3, limits(), work, when([&] { return book_.lines().size() == 9; }), anew), 0);
+    const auto lines = book_.lines();
+    ASSERT_EQ(lines.size(), 9U);
+    EXPECT_THAT(std::vector(lines.begin() + 3, lines.end()),
+                testing::ElementsAre("ends 1", "began 1", "ends 2", "began 2", "ends 3", "began 3"));
+}
+
 } // namespace
 } // namespace windlass::workers
