@@ -1,5 +1,7 @@
 #include "server/run/lever_pickup.hpp"
 
+#include <utility>
+
 namespace windlass::run {
 
 using exercise::HelmOrder;
@@ -20,6 +22,23 @@ void put_back(Order& now, const Order& then, const Order& found, unsigned& moved
     (put_back_one(members), ...);
 }
 
+/// The order, as the levers stand that were moved since `then`.
+exercise::Order pick_up(const exercise::Order& order, const exercise::Order& then, unsigned& moved,
+                        const exercise::Exercise& exercise) {
+    if (const auto* sent = std::get_if<WindlassOrder>(&order)) {
+        WindlassOrder now = *sent;
+        put_back(now, std::get<WindlassOrder>(then), exercise.levers(sent->side), moved,
+                 &WindlassOrder::brake, &WindlassOrder::clutch_in, &WindlassOrder::stopper_closed,
+                 &WindlassOrder::emergency_stop, &WindlassOrder::speed_lever);
+        if (now.speed_lever != sent->speed_lever) now.speed_lever = 0;
+        return now;
+    }
+    auto now = std::get<HelmOrder>(order);
+    put_back(now, std::get<HelmOrder>(then), exercise.helm(), moved, &HelmOrder::engine, &HelmOrder::rudder,
+             &HelmOrder::bow_thruster, &HelmOrder::stern_thruster);
+    return now;
+}
+
 } // namespace
 
 void LeverPickup::hold() {
@@ -35,24 +54,18 @@ exercise::Order LeverPickup::taken_up(const exercise::Order& order, const Receiv
     const auto levers = LeverOwnership::levers_of(order);
     if (!levers) return order;
     auto& station = senders_[static_cast<std::size_t>(*levers)];
+    const bool lies_there = from.moved_in_run != 0 && from.moved_in_run != run;
     if (!station || station->source != from.source) {
-        station = Sender{.source = from.source, .last = order};
-        if (from.moved_in_run != 0 && from.moved_in_run != run) station->then = order;
+        station = Sender{.source = from.source, .writer = from.writer, .last = order};
+        if (lies_there) station->then = order;
+    } else if (station->writer != from.writer) {
+        unsigned none = 0;
+        if (lies_there && station->before == from.writer) return pick_up(order, order, none, exercise);
+        station->before = std::exchange(station->writer, from.writer);
+        if (lies_there) station->then = order, station->moved = 0;
     }
     station->last = order;
-    if (!station->then) return order;
-    if (const auto* sent = std::get_if<WindlassOrder>(&order)) {
-        WindlassOrder now = *sent;
-        put_back(now, std::get<WindlassOrder>(*station->then), exercise.levers(sent->side), station->moved,
-                 &WindlassOrder::brake, &WindlassOrder::clutch_in, &WindlassOrder::stopper_closed,
-                 &WindlassOrder::emergency_stop, &WindlassOrder::speed_lever);
-        if (now.speed_lever != sent->speed_lever) now.speed_lever = 0;
-        return now;
-    }
-    auto now = std::get<HelmOrder>(order);
-    put_back(now, std::get<HelmOrder>(*station->then), exercise.helm(), station->moved, &HelmOrder::engine,
-             &HelmOrder::rudder, &HelmOrder::bow_thruster, &HelmOrder::stern_thruster);
-    return now;
+    return station->then ? pick_up(order, *station->then, station->moved, exercise) : order;
 }
 
 } // namespace windlass::run
