@@ -278,6 +278,7 @@ void Centre::tick() {
         session.clear_news();
     }
     checks_.sabotage_order = sabotage && plan_.sabotage == Sabotage::order_altered;
+    checks_.sabotage_marks = sabotage && plan_.sabotage == Sabotage::marks_altered;
     checks_.look(session, server.inbox, now, server.kept.trouble());
     session.clear_news();
 }

@@ -16,6 +16,7 @@ enum class Sabotage {
     last_record_lost, ///< of the newest file, at each restart
     order_altered,    ///< one, between the session and what is told of it
     ghost_hand,       ///< an order in the name of a station that did not give it
+    marks_altered,    ///< once, of what is told of a lesson
     event_lost,
     alert_untold, ///< a disk that refuses, and nobody is told
     chance        ///< from outside the seed

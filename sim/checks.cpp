@@ -357,7 +357,8 @@ void Checks::look(const run::Session& session, const run::Inbox& inbox, double n
             line().marks.push_back({.tick = tick_,
                                     .orders = line().orders.size(),
                                     .hash = session.snapshot().state_hash,
-                                    .assessment = assessment_of(session.assessor())});
+                                    .assessment = assessment_of(session.assessor()) ^
+                                                  (std::exchange(sabotage_marks, false) ? 1U : 0U)});
         add(session.snapshot().state_hash);
     }
     if (session.status().state == RunState::finished || session.status().state == RunState::stopped_by_fault)

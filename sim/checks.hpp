@@ -59,6 +59,7 @@ public:
     std::vector<run::AlertView> open_alerts() const;
 
     bool sabotage_order = false; ///< the next order is not the one that was taken
+    bool sabotage_marks = false; ///< the next marks are not those that were given
 
 private:
     /// A course from its beginning, or from where another one was left.

@@ -1,5 +1,7 @@
 // Simulated centres: the same seed is the same centre, and what is done to one on purpose is found.
 
+#include "server/config/config.hpp"
+#include "server/exercise/prelude.hpp"
 #include "sim/centre.hpp"
 #include "sim/checks.hpp"
 #include "sim/disk.hpp"
@@ -56,6 +58,17 @@ TEST(Checks, FindThatTheLastRecordsAreLost) {
 
 TEST(Checks, FindAnOrderThatIsNotTheOneThatWasTaken) {
     EXPECT_EQ(first_failure(Sabotage::order_altered, 10), "state");
+}
+
+TEST(Checks, FindMarksThatAreNotThoseOfTheUndisturbedLesson) {
+    Plan lesson{.def = exercise::with_prelude_played(
+                    config::load_exercise(WINDLASS_CONFIG_DIR "/exercises/L01_let_go_25m.json"))};
+    const Outcome well = run(lesson);
+    EXPECT_FALSE(well.failed) << well.failed->what.check;
+    lesson.sabotage = Sabotage::marks_altered;
+    const Outcome found = run(lesson);
+    ASSERT_TRUE(found.failed);
+    EXPECT_EQ(found.failed->what.check, "marks");
 }
 
 TEST(Checks, FindALeverThatNoHandMoves) {
