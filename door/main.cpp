@@ -205,12 +205,13 @@ nlohmann::json next_of(const Options& options, const std::map<std::string, std::
     for (const std::string& name : names)
         try {
             if (const auto next = history.next(pseudonym_of(name), offered))
-                all.push_back({{"name", name},
-                               {"file", files.at(next->lesson.id)},
-                               {"title", next->lesson.title},
-                               {"why", next->why},
-                               {"practice", next->practice},
-                               {"from", next->practice ? again_from(options, next->recording) : nlohmann::json()}});
+                all.push_back(
+                    {{"name", name},
+                     {"file", files.at(next->lesson.id)},
+                     {"title", next->lesson.title},
+                     {"why", next->why},
+                     {"practice", next->practice},
+                     {"from", next->practice ? again_from(options, next->recording) : nlohmann::json()}});
         } catch (const std::invalid_argument&) { // he is in no history: his seat was not recorded
         }
     return all;

@@ -84,6 +84,13 @@ struct AssessorWord {
     AssessmentCommand command;
 };
 
+/// What a prediction told the instructor: it would come if nobody did anything.
+struct Foreseen {
+    double told = 0;      ///< the prediction's, by which it was told first
+    double last_told = 0; ///< the last that still told it
+    Event event;          ///< of the branch, as the first told it; its time is when it would come
+};
+
 /// How much somebody did.
 struct Hand {
     int windlass = 0, helm = 0, orders = 0, reports = 0, others = 0;
@@ -125,7 +132,9 @@ struct Attempt {
     std::vector<SaidReport> reports;
     std::vector<LeverMove> lever_moves;
     std::vector<AssessorWord> words;
-    std::map<std::string, Hand> hands; ///< by the name under which orders went out
+    std::vector<std::pair<double, double>> ahead; ///< from and until when the instructor had predictions
+    std::vector<Foreseen> foreseen;               ///< by when it was told first
+    std::map<std::string, Hand> hands;            ///< by the name under which orders went out
     std::optional<Assessment> assessment;
     std::optional<WatchCircle> watch; ///< the last that was set
     std::optional<SceneDescription> ship_form;

@@ -73,6 +73,7 @@ std::set<std::string> AttemptReader::topics() {
                                          static_cast<const wire::TopicInfo*>(&topics::exercise_truth),
                                          static_cast<const wire::TopicInfo*>(&topics::assessment),
                                          static_cast<const wire::TopicInfo*>(&topics::order_taken),
+                                         static_cast<const wire::TopicInfo*>(&topics::prediction),
                                          static_cast<const wire::TopicInfo*>(&topics::scene_description),
                                          static_cast<const wire::TopicInfo*>(&topics::seabed_description)})
         names.insert(topic->name);
@@ -95,6 +96,7 @@ bool AttemptReader::read(const recording::Message& message, bool in_run) {
         if (is(topics::bridge_order)) with(topics::bridge_order);
         if (is(topics::exercise_truth)) with(topics::exercise_truth);
         if (is(topics::assessment)) with(topics::assessment);
+        if (is(topics::prediction)) with(topics::prediction);
         if (is(topics::environment_state)) with(topics::environment_state);
         if (is(topics::order_taken)) add(recording::decode<OrderTaken>(message.payload)); // knows its run
         if (is(topics::scene_description)) {
@@ -210,6 +212,25 @@ void AttemptReader::add(const BridgeOrder& order) {
         *found = {order, changed};
     else
         attempt_.orders.push_back({order, changed});
+}
+
+void AttemptReader::add(const Prediction& prediction) {
+    constexpr double kApart = 10; // s: predictions come every 2 s, the later the busier the machine
+    if (!ours(prediction.run()) || prediction.moments().empty()) return;
+    const double now = prediction.time();
+    if (attempt_.ahead.empty() || now - attempt_.ahead.back().second > kApart)
+        attempt_.ahead.emplace_back(now, now);
+    attempt_.ahead.back().second = now;
+    for (const Event& event : prediction.events()) {
+        const auto told = std::ranges::find_if(attempt_.foreseen, [&](const Foreseen& each) {
+            return each.event.code() == event.code() && each.event.side() == event.side() &&
+                   now - each.last_told <= kApart;
+        });
+        if (told != attempt_.foreseen.end())
+            told->last_told = now;
+        else
+            attempt_.foreseen.push_back({.told = now, .last_told = now, .event = event});
+    }
 }
 
 void AttemptReader::add(const ExerciseTruth& truth) {

@@ -32,6 +32,7 @@ public:
     void add(const ExerciseTruth& truth);
     void add(const Assessment& assessment);
     void add(const OrderTaken& order);
+    void add(const Prediction& prediction);
 
 private:
     bool ours(std::uint64_t run) const;

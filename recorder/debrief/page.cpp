@@ -73,7 +73,7 @@ std::string page_of(const Attempt& attempt, const PageOptions& options) {
         head(fmt::format("{} ({})", title, attempt.origin.recording), options.ghost.has_value(), "") +
         fmt::format("<h1>{}</h1>\n", escaped(title));
     for (const auto part : {summary_part, result_part, moments_part, pictures_part, plots_part,
-                            comparison_part, talk_part, events_part, origin_part})
+                            comparison_part, talk_part, events_part, ahead_part, origin_part})
         html += part(page);
     return html + kFoot;
 }

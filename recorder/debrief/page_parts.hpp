@@ -23,6 +23,7 @@ std::string plots_part(const PageContext& page);
 std::string comparison_part(const PageContext& page);
 std::string talk_part(const PageContext& page);
 std::string events_part(const PageContext& page);
+std::string ahead_part(const PageContext& page); ///< empty where nobody asked for predictions
 std::string origin_part(const PageContext& page);
 
 /// A plot under its title as a heading of that level, with its sentence, and its table out of sight until it

@@ -86,6 +86,28 @@ std::string events_part(const PageContext& page) {
     return html + "</section>\n";
 }
 
+std::string ahead_part(const PageContext& page) {
+    const Attempt& attempt = page.attempt;
+    if (attempt.ahead.empty()) return {};
+    std::string html =
+        "<section aria-labelledby=\"ahead\">\n<h2 id=\"ahead\">A minute ahead, as the instructor "
+        "saw it</h2>\n<p>Predictions were shown";
+    for (const auto& [from, until] : attempt.ahead)
+        html += fmt::format("{} from {} to {}", from == attempt.ahead.front().first ? "" : ",",
+                            time_link(page, from), time_link(page, until));
+    html += ": what would come if nobody did anything.</p>\n";
+    std::vector<std::vector<Cell>> rows;
+    for (const Foreseen& each : attempt.foreseen)
+        rows.push_back({{time_link(page, each.told), false},
+                        {time_link(page, each.last_told), false},
+                        text_cell(station::clock(each.event.time())),
+                        text_cell(station::told(each.event))});
+    html += rows.empty()
+                ? "<p>They told of no event.</p>\n"
+                : table("Events that they told of", {"told first", "told last", "for", "what"}, rows);
+    return html + "</section>\n";
+}
+
 std::string origin_part(const PageContext& page) {
     const Origin& origin = page.attempt.origin;
     std::string html = fmt::format(

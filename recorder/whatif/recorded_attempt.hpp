@@ -2,9 +2,9 @@
 // The attempt at a lesson that a recording has.
 
 #include "lesson/whatif/attempt.hpp"
+#include "lesson/whatif/trials.hpp"
 #include "recorder/remedies.hpp"
 #include "recorder/resimulate/runs.hpp"
-#include "trainee_client/script.hpp"
 
 namespace windlass::recorder {
 

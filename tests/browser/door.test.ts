@@ -261,8 +261,10 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await owner.keyboard.up("Enter");
   await owner.getByRole("button", { name: /^(?!again).*, over$/ }).click();
   await row.waitFor();
-  const [together] = await owner.locator("button", { hasText: /^Class of/ }).all();
-  await together.click();
+  await owner
+    .locator("button", { hasText: /^Class of/ })
+    .first()
+    .click();
   await eventually("a class for those who do the same", async () =>
     (await owner.locator("form").textContent()).includes("carla"),
   );

@@ -1,5 +1,6 @@
 // The debriefing: what the page and the records say is what the recording has.
 
+#include "recorder/debrief/attempt_reader.hpp"
 #include "recorder/debrief/compare.hpp"
 #include "recorder/debrief/curves.hpp"
 #include "recorder/debrief/html.hpp"
@@ -191,7 +192,7 @@ TEST(DebriefTest, WhatWouldHaveKeptALostPointStandsBesideItWithTheMomentBefore) 
         page_of(attempt, {.links = {.kind = Links::Kind::beside, .station = {}, .token = {}},
                           .remedies = std::vector<Remedy>{{"fall", 31.4, "0:31.4 the wheel <hard> on"}}});
     EXPECT_THAT(page, HasSubstr("<th scope=\"col\">what would have kept it</th>"));
-    EXPECT_THAT(page, HasSubstr("0:31.4 the wheel &lt;hard&gt; on Do it again from <a href=\"replay?"));
+    EXPECT_THAT(page, HasSubstr("0:31.4 the wheel &lt;hard&gt; on Do it again from <a href=\"/replay?"));
     EXPECT_THAT(page, HasSubstr(">0:21</a>."));
 }
 
@@ -221,6 +222,38 @@ TEST(DebriefTest, BothCoursesOfAnAnswerStandUnderTheDeductionsWithTheirMomentsAn
 }
 
 // One judge: whatever the marks are, the outcome of an objective is the server's.
+TEST(DebriefTest, WhatTheInstructorWasShownAheadIsTold) {
+    Attempt attempt;
+    AttemptReader reader(attempt, 1);
+    attempt.dt = 0.01;
+    attempt.ended = 100;
+    const auto predict = [&](double time, double of_event) {
+        Prediction prediction;
+        prediction.time(time);
+        prediction.moments().emplace_back();
+        if (of_event > 0) {
+            Event& event = prediction.events().emplace_back();
+            event.code("brake.lining_burns");
+            event.text("lining burns");
+            event.time(of_event);
+        }
+        reader.add(prediction);
+    };
+    EXPECT_EQ(page_of(attempt, {}).find("A minute ahead"), std::string::npos) << "nobody asked";
+    predict(20, 0);
+    predict(22, 61);
+    predict(24, 62);
+    predict(70, 95); // asked for again later
+    const std::string page = page_of(attempt, {});
+    EXPECT_THAT(page, HasSubstr("Predictions were shown from 0:20 to 0:24, from 1:10 to 1:10"));
+    ASSERT_EQ(attempt.foreseen.size(), 2U);
+    EXPECT_EQ(attempt.foreseen[0].told, 22);
+    EXPECT_EQ(attempt.foreseen[0].last_told, 24);
+    EXPECT_EQ(attempt.foreseen[0].event.time(), 61) << "as it was told first";
+    EXPECT_THAT(page, HasSubstr("0:24</td>"));
+    EXPECT_THAT(page, HasSubstr("lining burns"));
+}
+
 TEST(DebriefTest, ObjectivesAreAsTheServerHasJudgedThem) {
     const Folder folder;
     Attempt attempt = attempt_of(folder);
@@ -413,7 +446,7 @@ TEST(DebriefTest, MomentsLeadToThePlaceInTheRecording) {
     EXPECT_NEAR(attempt.position_of(30), 34, 0.01) << "it stood ready for 4 s";
     const std::string served =
         page_of(attempt, {.links = {.kind = Links::Kind::beside, .station = {}, .token = {}}, .over = {}});
-    EXPECT_THAT(served, HasSubstr("href=\"replay?recording=monday&amp;t=34.0\""));
+    EXPECT_THAT(served, HasSubstr("href=\"/replay?recording=monday&amp;t=34.0\""));
     EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("href=")))
         << "nobody serves it: no link that leads nowhere";
 }
