@@ -171,8 +171,7 @@ std::map<std::string, std::string> files_of_lessons(const nlohmann::json& list) 
     return files;
 }
 
-/// Ten seconds before that attempt went wrong: before its first must that was missed, else before what cost
-/// it points first. null: nothing did, or the recording is here no more.
+/// Ten seconds before that attempt went wrong; null: at no moment, or its recording is here no more.
 nlohmann::json again_from(const Options& options, const fs::path& recording) {
     constexpr double kBefore = 10; // s, to have a hand on the lever by then
     const fs::path folder = options.recordings / recording.filename();
@@ -180,12 +179,8 @@ nlohmann::json again_from(const Options& options, const fs::path& recording) {
     try {
         recording::Recording read({folder});
         const debrief::Attempt attempt = debrief::read_attempt(read);
-        const debrief::Judgement judgement = debrief::judgement_of(attempt);
-        const auto lost = judgement.deductions();
-        const auto must =
-            std::ranges::find_if(lost, [](const debrief::Mark& mark) { return mark.criterion->must(); });
-        const auto first = must != lost.end() ? must : lost.begin();
-        if (first == lost.end() || first->time <= attempt.began) return nullptr;
+        const auto first = debrief::went_wrong(attempt, debrief::judgement_of(attempt));
+        if (!first || first->time <= attempt.began) return nullptr;
         const double time = std::max(attempt.began, first->time - kBefore);
         return {{"recording", recording.filename()},
                 {"position", attempt.position_of(time)},

@@ -46,6 +46,21 @@ std::vector<Mark> Judgement::deductions() const {
     return found;
 }
 
+std::optional<Mark> went_wrong(const Attempt& attempt, const Judgement& judgement) {
+    if (!attempt.assessment) return std::nullopt;
+    constexpr double kAtTheEnd = 1; // s
+    const LessonEnding ending = attempt.assessment->ending();
+    const Event* over = attempt.event("lesson.over");
+    const double end = over != nullptr ? over->time() : attempt.ended;
+    std::optional<Mark> first;
+    for (const Mark& mark : judgement.deductions()) {
+        if ((ending == LESSON_TIME_UP || ending == LESSON_ENDED_EARLY) && mark.time > end - kAtTheEnd)
+            continue;
+        if (!first || (mark.criterion->must() && !first->criterion->must())) first = mark;
+    }
+    return first;
+}
+
 std::vector<Mark> Judgement::strongest(int most) const {
     std::vector<Mark> found;
     std::ranges::copy_if(marks, std::back_inserter(found), [](const Mark& mark) {

@@ -4,6 +4,8 @@
 
 #include "recorder/debrief/attempt.hpp"
 
+#include <optional>
+
 namespace windlass::debrief {
 
 /// A criterion with what it weighs.
@@ -32,6 +34,11 @@ struct Judgement {
 
 /// Empty where nothing was assessed. The attempt must outlive it.
 Judgement judgement_of(const Attempt& attempt);
+
+/// Where it went wrong, to go back to: the first must that was missed, without one the first loss of points.
+/// What is decided only because the time was up, or the exercise was ended, went wrong at no moment. Nothing:
+/// no moment is.
+std::optional<Mark> went_wrong(const Attempt& attempt, const Judgement& judgement);
 
 /// The lesson's objectives, as the server has judged them.
 std::vector<Achievement> achievements_of(const Attempt& attempt);

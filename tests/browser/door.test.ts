@@ -219,6 +219,10 @@ test("a device that stands at a seat is led to it by an address that is opened o
 });
 
 test("with the class its seats end, and each seat's marks and debriefing are there", async () => {
+  // By then it is lost that nobody has let go; what is not shown when a class ends went wrong at no moment.
+  await eventually("a while", async () =>
+    /running 0:5/.test(await owner.locator(".exercises .state").first().textContent()),
+  );
   await on(owner, "End the class").focus();
   await owner.keyboard.down("Enter");
   const row = owner.locator(".class-marks tbody tr", { hasText: "carla" });

@@ -221,7 +221,33 @@ TEST(DebriefTest, BothCoursesOfAnAnswerStandUnderTheDeductionsWithTheirMomentsAn
     EXPECT_EQ(count(page, "<svg "), count(page, "<details>") + 1) << "each with its table";
 }
 
-// One judge: whatever the marks are, the outcome of an objective is the server's.
+TEST(DebriefTest, OneGoesBackToTheFirstMustThatWasMissedButNotToTheEndOfTheTime) {
+    Attempt attempt;
+    attempt.dt = 1.0 / test::kTickRate;
+    attempt.ended = 100;
+    Assessment& marks = attempt.assessment.emplace();
+    const auto lost = [&](const char* code, bool must, double time) {
+        auto& mark = marks.criteria().emplace_back(
+            test::criterion(code, CRITERION_STATE_AT, CRITERION_NOT_MET, 10, 0, "", time, ""));
+        mark.must(must);
+    };
+    const auto back_to = [&] {
+        const auto mark = went_wrong(attempt, judgement_of(attempt));
+        return mark ? name_of(*mark->criterion) : "";
+    };
+    marks.ending(LESSON_TIME_UP);
+    EXPECT_EQ(back_to(), "");
+    lost("secured", true, 100);
+    EXPECT_EQ(back_to(), "") << "ten seconds before the time was up there is nothing to be done";
+    lost("report", false, 20);
+    EXPECT_EQ(back_to(), "report");
+    lost("brake", true, 50);
+    EXPECT_EQ(back_to(), "brake");
+    marks.criteria().pop_back();
+    marks.ending(LESSON_BROKEN_OFF);
+    EXPECT_EQ(back_to(), "secured") << "broken off by what went wrong then";
+}
+
 TEST(DebriefTest, WhatTheInstructorWasShownAheadIsTold) {
     Attempt attempt;
     AttemptReader reader(attempt, 1);
@@ -254,6 +280,7 @@ TEST(DebriefTest, WhatTheInstructorWasShownAheadIsTold) {
     EXPECT_THAT(page, HasSubstr("lining burns"));
 }
 
+// One judge: whatever the marks are, the outcome of an objective is the server's.
 TEST(DebriefTest, ObjectivesAreAsTheServerHasJudgedThem) {
     const Folder folder;
     Attempt attempt = attempt_of(folder);
