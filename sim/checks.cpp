@@ -142,7 +142,7 @@ void Checks::hold_against(Line& line) {
 
 /// Whether the first so many orders of the line, and those behind them, make that state.
 bool Checks::comes_to(Line& line, std::size_t orders, const State& state) {
-    const auto& [tick, hash, behind] = state;
+    const auto& [tick, hash, behind, assessment] = state;
     if (behind.empty()) {
         go_through(line, tick, orders);
     } else {
@@ -152,7 +152,9 @@ bool Checks::comes_to(Line& line, std::size_t orders, const State& state) {
         beside.orders.insert(beside.orders.end(), behind.begin(), behind.end());
         go_through(beside, tick, beside.orders.size());
     }
-    return undisturbed_->course.exercise().tick() == tick && undisturbed_->course.state_hash() == hash;
+    const run::Course& course = undisturbed_->course;
+    return course.exercise().tick() == tick && course.state_hash() == hash &&
+           (!assessment || !line.assessor || assessment_of(course.assessor()) == *assessment);
 }
 
 /// The line is left at that tick, with as many of its orders as make that state, at that tick or, with the
@@ -230,7 +232,9 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
     if (back) line().on_disk.reset(), line().handed_over.reset();
     for (;;) {
         if (back) leave_line(); // until the disk has that, the power may bring the line back
-        if (go_on_from(line(), tick_, {.tick = tick_, .hash = hash})) break;
+        if (go_on_from(line(), tick_,
+                       {.tick = tick_, .hash = hash, .assessment = assessment_of(session.assessor())}))
+            break;
         lines_.pop_back();
         if (back) lines_.pop_back();
         if (lines_.empty())

@@ -93,6 +93,7 @@ private:
     struct State {
         std::uint64_t tick = 0, hash = 0;
         std::vector<run::OrderView> behind{};
+        std::optional<std::uint64_t> assessment{}; // where it is told: words may change it and nothing else
     };
     bool comes_to(Line& line, std::size_t orders, const State& state);
     bool go_on_from(Line& line, std::uint64_t tick, const State& state);
