@@ -39,8 +39,8 @@ debrief::Links beside(const std::string& what_if) {
 fs::file_time_type changed(const fs::path& recording) {
     auto last = fs::file_time_type::min(); // before any: this clock counts from a year to come
     std::error_code gone;
-    for (const auto& file : fs::directory_iterator(recording, gone))
-        last = std::max(last, file.last_write_time(gone));
+    for (fs::directory_iterator file(recording, gone), end; !gone && file != end; file.increment(gone))
+        last = std::max(last, file->last_write_time(gone));
     return last;
 }
 
@@ -71,12 +71,17 @@ std::string WhatIfPages::page(const fs::path& recording) {
         waiting_.push_back(recording);
         asked_.notify_one();
     }
-    return page.html;
+    page.asked = ++asked_for_;
+    std::string html = page.html;
+    if (pages_.size() > kMost)
+        pages_.erase(
+            std::ranges::min_element(pages_, {}, [](const auto& each) { return each.second.asked; }));
+    return html;
 }
 
 void WhatIfPages::show(const fs::path& recording, std::string html) {
     const std::lock_guard lock(mutex_);
-    pages_[recording].html = std::move(html);
+    if (const auto page = pages_.find(recording); page != pages_.end()) page->second.html = std::move(html);
 }
 
 void WhatIfPages::work(const std::stop_token& stop, bool beside) {

@@ -19,6 +19,7 @@ std::string debrief_page(const std::filesystem::path& recording, const std::file
                          const std::string& what_if);
 
 /// The same pages with what would have kept each lost point, searched for in one recording after the other.
+/// The kMost that were asked for last are kept.
 class WhatIfPages {
 public:
     /// config: as above. beside: on threads that get what processor time nobody else wants, as a class may
@@ -32,10 +33,13 @@ public:
     /// begins the search; so does who asks after the recording has grown. From any thread.
     std::string page(const std::filesystem::path& recording);
 
+    static constexpr std::size_t kMost = 32; ///< half a megabyte each
+
 private:
     struct Page {
         std::optional<std::filesystem::file_time_type> of{}; ///< when the recording last changed
         std::string html;
+        std::uint64_t asked = 0; ///< counts those who asked
     };
     void work(const std::stop_token& stop, bool beside);
     std::string search(const std::filesystem::path& recording, const std::stop_token& stop);
@@ -46,6 +50,7 @@ private:
     std::condition_variable_any asked_;
     std::deque<std::filesystem::path> waiting_;
     std::map<std::filesystem::path, Page> pages_;
+    std::uint64_t asked_for_ = 0;
     std::jthread thread_; // last: it uses all of the above
 };
 

@@ -141,7 +141,8 @@ Sheet read_sheet(const std::filesystem::path& path) {
 std::string page_of(const Sheet& sheet, const std::string& code) {
     const Attempt& attempt = sheet.attempt;
     const debrief::PageOptions nothing;
-    const debrief::PageContext context{attempt, nothing, happened(attempt)};
+    const debrief::PageContext context{attempt, nothing, happened(attempt),
+                                       debrief::tension_limits(attempt.scenes)};
     std::string facts = fmt::format("<dt>To be marked</dt><dd>{} to {}; then the lesson was over</dd>\n",
                                     station::clock(attempt.began), station::clock(sheet.computed.time));
     for (const debrief::Figure& each : debrief::figures_of(attempt))

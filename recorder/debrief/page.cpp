@@ -35,6 +35,15 @@ std::string head(const std::string& title, bool ghost, std::string_view more) {
                        more, escaped(title), kStyle, ghost ? kGhostStyle : std::string_view());
 }
 
+TensionLimits limits_of(const Attempt& attempt, const PageOptions& options) {
+    std::vector<SceneAt> scenes = attempt.scenes;
+    if (options.remedies)
+        for (const Remedy& each : *options.remedies)
+            for (const auto& scene : {each.was, each.would})
+                if (scene) scenes.push_back(*scene);
+    return tension_limits(scenes);
+}
+
 constexpr const char* kFoot = "</main>\n</body>\n</html>\n";
 
 } // namespace
@@ -66,7 +75,7 @@ std::string time_link(const PageContext& page, double time) {
 }
 
 std::string page_of(const Attempt& attempt, const PageOptions& options) {
-    const PageContext page{attempt, options, moments_of(attempt)};
+    const PageContext page{attempt, options, moments_of(attempt), limits_of(attempt, options)};
     const std::string title =
         fmt::format("Debrief: {}", attempt.title.empty() ? attempt.exercise : attempt.title);
     std::string html =

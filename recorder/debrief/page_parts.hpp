@@ -13,6 +13,7 @@ struct PageContext {
     const Attempt& attempt;
     const PageOptions& options;
     std::vector<Moment> moments;
+    TensionLimits limits; ///< of all scenes of the page, so that one line means one tension
 };
 
 std::string summary_part(const PageContext& page);
@@ -34,9 +35,6 @@ std::string plot_figure(const Plot& plot, int level, const std::string& table);
 /// the page, for its ids. Empty where nothing can be drawn.
 std::string scene_figure(const PageContext& page, const SceneAt& scene, int side, std::size_t number,
                          const std::string& heading);
-
-/// Of all scenes of the page, so that one line means one tension.
-TensionLimits limits_of(const PageContext& page);
 
 /// "2:05", linked to the replay of it where there is one.
 std::string time_link(const PageContext& page, double time);

@@ -74,21 +74,12 @@ std::string picture(const PageContext& page, const PicturedMoments& moments, std
 
 } // namespace
 
-TensionLimits limits_of(const PageContext& page) {
-    std::vector<SceneAt> scenes = page.attempt.scenes;
-    if (page.options.remedies)
-        for (const Remedy& each : *page.options.remedies)
-            for (const auto& scene : {each.was, each.would})
-                if (scene) scenes.push_back(*scene);
-    return tension_limits(scenes);
-}
-
 std::string scene_figure(const PageContext& page, const SceneAt& scene, int side, std::size_t number,
                          const std::string& heading) {
     if (!elevation_of(scene, side)) return {};
     const std::string words = sentence(scene, side);
     const std::string time = station::clock(scene.time);
-    const std::string svg = elevation_svg(page.attempt, scene, side, limits_of(page), number,
+    const std::string svg = elevation_svg(page.attempt, scene, side, page.limits, number,
                                           fmt::format("The scene at {}, from abeam", time), words);
     return fmt::format("<figure><p>{}</p><div class=\"wide\" role=\"group\" tabindex=\"0\" "
                        "aria-label=\"Scene at {}\">{}</div><figcaption>{}</figcaption><details>"
@@ -107,7 +98,7 @@ std::string pictures_part(const PageContext& page) {
            "its "
            "tension. The numbers are those of the moments.</p>\n"
            "<div class=\"wide key\" role=\"group\" tabindex=\"0\" aria-label=\"Key of tensions\">" +
-           tension_key(limits_of(page)) + "</div>\n" + figures + "</section>\n";
+           tension_key(page.limits) + "</div>\n" + figures + "</section>\n";
 }
 
 } // namespace windlass::debrief

@@ -253,6 +253,22 @@ TEST(Checkpoint, AnotherDefinitionUnderItsStateIsRefused) {
     }
 }
 
+TEST(Checkpoint, WithAnotherTextOfItsLessonIsTheSameStateAndGoesOnBitForBit) {
+    Drill drill(let_go_def());
+    drill.run(5);
+    const auto bytes = write_checkpoint(drill.exercise());
+    const auto same = with_lesson(bytes, [](const std::string& text) { return text; });
+    EXPECT_EQ(same, bytes);
+    const auto changed = with_lesson(bytes, [](const std::string&) { return "{}"; });
+    Exercise first = read_checkpoint(bytes), second = read_checkpoint(changed);
+    EXPECT_EQ(second.def().lesson, "{}");
+    EXPECT_EQ(hash_of(second), hash_of(first));
+    EXPECT_EQ(parting(first, second, 5), "");
+    const std::vector<std::uint8_t> torn(bytes.begin(), bytes.begin() + 40);
+    for (const auto& none : {torn, std::vector<std::uint8_t>(64, 7), std::vector<std::uint8_t>()})
+        EXPECT_THROW(with_lesson(none, [](const std::string& text) { return text; }), CheckpointError);
+}
+
 TEST(Checkpoint, DefinitionIsCheckedBeforeAnythingIsMadeOfIt) {
     ExerciseDef endless = let_go_def();
     endless.tackle[0].chain.length = 900;
