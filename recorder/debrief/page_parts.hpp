@@ -31,6 +31,10 @@ std::string origin_part(const PageContext& page);
 /// is asked for.
 std::string plot_figure(const Plot& plot, int level, const std::string& table);
 
+/// "Port: 88 m (3.2 shackles) out, 34 kN (3.5 t) at the lip, leads 11 o'clock, long stay; anchor holding.
+/// Ship 0.4 kn." Of a scene that has ship and that side's cable.
+std::string scene_words(const SceneAt& scene, int side);
+
 /// A scene from abeam under its heading (HTML), with what it shows in a sentence. number: of the picture in
 /// the page, for its ids. Empty where nothing can be drawn.
 std::string scene_figure(const PageContext& page, const SceneAt& scene, int side, std::size_t number,

@@ -23,24 +23,6 @@ int side_of(const Attempt& attempt, const PicturedMoments& moments) {
     return attempt.sides[0].worked || !attempt.sides[1].worked ? SIDE_PORT : SIDE_STARBOARD;
 }
 
-/// "Port: 88 m (3.2 shackles) out, 34 kN (3.5 t) at the lip, leads 11 o'clock, long stay; anchor holding."
-std::string sentence(const SceneAt& scene, int side) {
-    const ChainState& chain = *scene.chains[static_cast<std::size_t>(side)];
-    const auto& anchor = scene.anchors[static_cast<std::size_t>(side)];
-    std::string text =
-        fmt::format("{}: {} ({}) out", side == SIDE_PORT ? "Port" : "Starboard",
-                    station::cable(chain.cable_out()), station::in_shackles(chain.cable_out()));
-    if (!chain.tension().empty())
-        text += fmt::format(", {} at the lip", station::load(chain.tension().front()));
-    text +=
-        chain.stay() == STAY_UP_AND_DOWN
-            ? ", up and down"
-            : fmt::format(", leads {}, {}", station::lead(chain.lead_clock()), station::words(chain.stay()));
-    if (chain.on_bottom() > 0) text += fmt::format(", {} on the bottom", station::cable(chain.on_bottom()));
-    if (anchor) text += fmt::format("; anchor {}", station::words(anchor->phase()));
-    return text + fmt::format(". Ship {}.", station::knots(scene.ship->speed_over_ground()));
-}
-
 std::string table_of(const SceneAt& scene, int side) {
     const ChainState& chain = *scene.chains[static_cast<std::size_t>(side)];
     std::vector<std::vector<Cell>> rows;
@@ -74,10 +56,27 @@ std::string picture(const PageContext& page, const PicturedMoments& moments, std
 
 } // namespace
 
+std::string scene_words(const SceneAt& scene, int side) {
+    const ChainState& chain = *scene.chains[static_cast<std::size_t>(side)];
+    const auto& anchor = scene.anchors[static_cast<std::size_t>(side)];
+    std::string text =
+        fmt::format("{}: {} ({}) out", side == SIDE_PORT ? "Port" : "Starboard",
+                    station::cable(chain.cable_out()), station::in_shackles(chain.cable_out()));
+    if (!chain.tension().empty())
+        text += fmt::format(", {} at the lip", station::load(chain.tension().front()));
+    text +=
+        chain.stay() == STAY_UP_AND_DOWN
+            ? ", up and down"
+            : fmt::format(", leads {}, {}", station::lead(chain.lead_clock()), station::words(chain.stay()));
+    if (chain.on_bottom() > 0) text += fmt::format(", {} on the bottom", station::cable(chain.on_bottom()));
+    if (anchor) text += fmt::format("; anchor {}", station::words(anchor->phase()));
+    return text + fmt::format(". Ship {}.", station::knots(scene.ship->speed_over_ground()));
+}
+
 std::string scene_figure(const PageContext& page, const SceneAt& scene, int side, std::size_t number,
                          const std::string& heading) {
     if (!elevation_of(scene, side)) return {};
-    const std::string words = sentence(scene, side);
+    const std::string words = scene_words(scene, side);
     const std::string time = station::clock(scene.time);
     const std::string svg = elevation_svg(page.attempt, scene, side, page.limits, number,
                                           fmt::format("The scene at {}, from abeam", time), words);

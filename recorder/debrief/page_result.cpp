@@ -173,6 +173,9 @@ std::string scenes(const PageContext& page, const Remedy& remedy, const std::str
     const std::string would =
         scene_figure(page, *remedy.would, remedy.side, kBehind + 2 * pair + 1, "As it would have been");
     if (was.empty() || would.empty()) return {};
+    if (scene_words(*remedy.was, remedy.side) == scene_words(*remedy.would, remedy.side))
+        return fmt::format("<p>Ship, cable and anchor stand the same in both at {}.</p>\n",
+                           station::clock(remedy.was->time));
     return fmt::format("<h4>{}: the scene at {}</h4>\n<div class=\"pair\">\n{}{}</div>\n", escaped(name),
                        station::clock(remedy.was->time), was, would);
 }

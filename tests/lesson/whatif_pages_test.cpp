@@ -43,6 +43,7 @@ TEST(WhatIfPages, SayHowFarTheSearchIsAndThenShowBothCoursesAndScenes) {
     EXPECT_THAT(before, testing::Contains(HasSubstr("Searching for what would have kept ")));
     EXPECT_THAT(page, HasSubstr("the wheel hard on, which stood wide open"));
     EXPECT_THAT(page, HasSubstr("Do it again from <a href=\"/replay?recording=monday&amp;t="));
+    EXPECT_THAT(page, HasSubstr("<h3>As it was, and as it would have been</h3>"));
     EXPECT_THAT(page, HasSubstr("<div class=\"pair\">\n<figure><p>As it was</p>"));
     EXPECT_THAT(page, HasSubstr("<figure><p>As it would have been</p>"));
     EXPECT_THAT(page, Not(HasSubstr(">What would have kept them</a>"))) << "that is what it says";

@@ -196,6 +196,32 @@ TEST(DebriefTest, WhatWouldHaveKeptALostPointStandsBesideItWithTheMomentBefore) 
     EXPECT_THAT(page, HasSubstr(">0:21</a>."));
 }
 
+TEST(DebriefTest, BothScenesOfAnAnswerStandSideBySideWhereTheyAreNotTheSame) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder);
+    const auto scene = [](double cable_out) {
+        SceneAt made{.time = 61, .ship = ShipState(), .chains = {}, .anchors = {}};
+        made.ship->attitude().w(1);
+        ChainState& chain = made.chains[0].emplace();
+        chain.cable_out(cable_out);
+        for (const float z : {6.0F, -25.0F})
+            chain.nodes().emplace_back().z(z);
+        chain.tension() = std::vector<float>(1, 50e3F);
+        return made;
+    };
+    const auto page = [&](double was, double would) {
+        Remedy remedy{"fall", 31.4, "0:31.4 the wheel hard on"};
+        remedy.was = scene(was);
+        remedy.would = scene(would);
+        return page_of(attempt, {.links = {}, .remedies = std::vector<Remedy>{remedy}});
+    };
+    EXPECT_THAT(page(88, 55),
+                testing::ContainsRegex("<div class=\"pair\">\n<figure><p>As it was</p>.*: 88 m .*"
+                                       "<figure><p>As it would have been</p>.*: 55 m "));
+    EXPECT_THAT(page(88, 88), HasSubstr("Ship, cable and anchor stand the same in both at 1:01"));
+    EXPECT_THAT(page(88, 88), Not(HasSubstr("class=\"pair\"")));
+}
+
 TEST(DebriefTest, BothCoursesOfAnAnswerStandUnderTheDeductionsWithTheirMomentsAndLimits) {
     const Folder folder;
     const Attempt attempt = attempt_of(folder);
