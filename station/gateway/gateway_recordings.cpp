@@ -133,7 +133,8 @@ void Gateway::read_events(PageSession& page, const json& id, const std::string& 
 }
 
 void Gateway::debrief(PageSession& page, const json& id, const std::string& recording) {
-    if (options_.seat != station::Seat::instructor || !options_.debrief_of || !options_.what_if_of || !options_.publish)
+    if (options_.seat != station::Seat::instructor || !options_.debrief_of || !options_.what_if_of ||
+        !options_.publish)
         throw no_instructor("a debriefing");
     const auto folder = folder_of(recording);
     // Nobody finds the page but who asked for it: it is served by a name that cannot be guessed.
