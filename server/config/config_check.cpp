@@ -52,9 +52,11 @@ double min_depth_under(const exercise::ExerciseDef& def) {
 void check_ship(const exercise::ExerciseDef& def, Faults& faults) {
     const physics::ShipDef& ship = def.ship;
     const double depth = min_depth_under(def);
-    faults.require(depth > ship.draught,
-                   def.environment.ground ? "/environment/ground" : "/environment/depth", depth,
-                   fmt::format("above the ship's draught, {} m: she would be aground", ship.draught));
+    faults.require(std::abs(ship.trim) <= ship.draught, "/ship/trim", ship.trim,
+                   fmt::format("within the draught, {} m", ship.draught));
+    const double deepest = ship.draught + 0.5 * std::abs(ship.trim);
+    faults.require(depth > deepest, def.environment.ground ? "/environment/ground" : "/environment/depth",
+                   depth, fmt::format("above the ship's draught, {} m: she would be aground", deepest));
     faults.require(ship.length_pp <= ship.length_overall, "/ship/length_pp", ship.length_pp,
                    fmt::format("at most length_overall, {} m", ship.length_overall));
     const double box = physics::kSeaWaterDensity * ship.length_pp * ship.beam * ship.draught;

@@ -87,7 +87,7 @@ void perceive_bridge(const exercise::Snapshot& from, const SeatShip& ship, Bridg
     to.echo_sounder_works(works.echo_sounder);
     const double rises =
         own.position.z() + (own.attitude * physics::Vec3(ship.sounder, 0, 0)).z(); // with her bow
-    const double below = from.environment.depth - ship.draught + rises;
+    const double below = from.environment.depth - ship.draught_at_sounder + rises;
     to.depth_below_keel(works.echo_sounder ? in_steps(std::max(0.0, below), 0.1) : 0);
 
     // Eyes and clock

@@ -145,7 +145,9 @@ SeatAids seat_aids(const exercise::ExerciseDef& def) {
 }
 
 SeatShip seat_ship(const exercise::ExerciseDef& def) {
-    SeatShip ship{.draught = def.ship.draught, .sounder = def.ship.hawse_forward};
+    const double sounder = def.ship.hawse_forward;
+    SeatShip ship{
+        .draught = def.ship.draught, .sounder = sounder, .draught_at_sounder = def.ship.draught_at(sounder)};
     for (const exercise::GroundTackleDef& tackle : def.tackle) {
         const physics::WindlassDef& windlass = tackle.windlass;
         ship.motor_full_speed.at(static_cast<std::size_t>(tackle.side)) =

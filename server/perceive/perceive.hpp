@@ -27,6 +27,7 @@ SeatAids seat_aids(const exercise::ExerciseDef& def);
 struct SeatShip {
     double draught = 0;                       ///< m
     double sounder = 0;                       ///< m, echo sounder forward of midships
+    double draught_at_sounder = 0;            ///< m
     std::array<double, 2> motor_full_speed{}; ///< rad/s at the shaft, by side; 0: no windlass there
 };
 SeatShip seat_ship(const exercise::ExerciseDef& def);

@@ -12,7 +12,7 @@
 namespace windlass::perceive {
 
 inline SeatShip some_ship() {
-    return {.draught = 12.5, .motor_full_speed = {80, 80}};
+    return {.draught = 12.5, .draught_at_sounder = 12.5, .motor_full_speed = {80, 80}};
 }
 
 /// 6 shackles on deck, cable leading ahead; the lip is 6 m above the water, nodes are 1 m apart.

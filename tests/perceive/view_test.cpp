@@ -365,5 +365,12 @@ TEST(SeatShip, IsOfTheExercise) {
     EXPECT_EQ(ship.motor_full_speed[1], 0);
 }
 
+// It is under the bow, which is the less deep where she is by the stern.
+TEST(SeatShip, SoundsWhereTheSounderIs) {
+    ExerciseDef def;
+    def.ship.trim = 2.17;
+    EXPECT_NEAR(seat_ship(def).draught_at_sounder, 12.5 - 0.01 * def.ship.hawse_forward, 1e-9);
+}
+
 } // namespace
 } // namespace windlass::perceive

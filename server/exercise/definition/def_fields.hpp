@@ -24,6 +24,7 @@ void visit_fields(Visitor& field, physics::ShipDef& def) {
     field.number("length_pp", def.length_pp);
     field.number("beam", def.beam);
     field.number("draught", def.draught);
+    field.number("trim", def.trim);
     field.number("displacement", def.displacement);
     field.number("gyration_radius", def.gyration_radius);
     field.number("lateral_windage", def.lateral_windage);

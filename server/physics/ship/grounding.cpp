@@ -32,7 +32,7 @@ double bears(double weight, double depth, double speed) {
 KeelAndGround keel_and_ground(const ShipDef& def, const EnvironmentDef& environment, const ShipState& state,
                               double dt) {
     constexpr double kFriction = 0.4, kCreep = 1e-3; // m/s, below which friction fades
-    const double heel = roll(state), trim = pitch(state);
+    const double heel = roll(state), trim = pitch(state) + def.trim / def.length_pp; // rad, bow up
     const double keel =
         state.level + (state.waves.heave + state.floats.heave) - def.draught; // m, world, amidships
     KeelAndGround found;

@@ -16,19 +16,22 @@ namespace {
 constexpr double kTurnInSide = 2.22, kTurnInMoment = 0.81;
 constexpr double kAstern = 1.5; ///< resistance astern over that ahead, of the same model
 
-/// Integrals along the hull of |a| a and |a| a x, a = v + c r x: exact.
+/// Integrals along the hull of |a| a, |a| a x and |a| a x^2, a = v + c r x: exact.
 struct CrossFlow {
     double side = 0;   ///< m3/s2
     double moment = 0; ///< m4/s2
+    double second = 0; ///< m5/s2
 };
 /// at_end: m/s, c r L / 2.
 CrossFlow cross_flow(double v, double at_end, double half_length) {
     const double h = half_length;
     if (std::abs(v) >= std::abs(at_end))
         return {std::copysign(2 * h * (v * v + at_end * at_end / 3), v),
-                4.0 / 3 * h * h * std::abs(v) * at_end};
+                4.0 / 3 * h * h * std::abs(v) * at_end,
+                std::copysign(2 * h * h * h * (v * v / 3 + at_end * at_end / 5), v)};
     const double s = v / at_end, square = at_end * std::abs(at_end); // it turns about a place in the hull
-    return {square * h * s * (2 + 2.0 / 3 * s * s), square * h * h * (0.5 + s * s - s * s * s * s / 6)};
+    return {square * h * s * (2 + 2.0 / 3 * s * s), square * h * h * (0.5 + s * s - s * s * s * s / 6),
+            square * h * h * h * s * (1 + s * s * s * s / 15)};
 }
 
 /// 1 / (1 - T/h)^n - T/h: Kijima's form of what shallow water makes of a linear term.
@@ -45,6 +48,7 @@ HullCoefficients hull_coefficients(const ShipDef& def) {
     const double aspect = 2 * draught / length;
     HullCoefficients c;
     c.length = length, c.beam = beam, c.draught = draught, c.block = block;
+    c.trim = def.trim / draught;
     c.friction_area = 1.7 * draught * length + volume / draught;
 
     c.mass = def.displacement;
@@ -61,9 +65,10 @@ HullCoefficients hull_coefficients(const ShipDef& def) {
     const double surge_share = c.added_surge / (0.5 * kSeaWaterDensity * length * length * draught);
     const double fullness = block * beam / length;
     c.side_drift = -(0.5 * std::numbers::pi * aspect + 1.4 * fullness);
-    c.side_yaw = 0.25 * std::numbers::pi * aspect + surge_share;
-    c.turn_drift = -aspect;
-    c.turn_yaw = -0.54 * aspect + aspect * aspect;
+    c.side_yaw = 0.25 * std::numbers::pi * aspect * (1 + 0.8 * c.trim) + surge_share;
+    c.turn_drift = -aspect - 0.27 * c.trim * c.side_drift;
+    c.side_drift *= 1 + 2.0 / 3 * c.trim;
+    c.turn_yaw = (-0.54 * aspect + aspect * aspect) * (1 + 0.3 * c.trim);
 
     constexpr double kMidship = 0.99; // coefficient of the midship section: 0.98 to 0.995
     c.cross_flow = 0.22 * std::sqrt(kMidship * length / (beam * block));
@@ -105,10 +110,14 @@ PlanarForce hull_force(const HullCoefficients& hull, double density, double u, d
     const double drag = 0.5 * density * hull.draught * hull.cross_flow;
     PlanarForce force;
     force.x = -resistance_over_speed(hull, density, speed) * u * (1 + 0.5 * (kAstern - 1) * (1 - ahead));
+    // Her draught grows from bow to stern: T (1 - t x/L).
+    const double deeper = hull.trim / length;
+    const CrossFlow side = cross_flow(v, kTurnInSide * r * half, half),
+                    round = cross_flow(v, kTurnInMoment * r * half, half);
     force.y = unit * (hull.side_drift * v * std::abs(u) + hull.side_yaw * turn * u) -
-              drag * cross_flow(v, kTurnInSide * r * half, half).side;
+              drag * (side.side - deeper * side.moment);
     force.moment = unit * length * (hull.turn_drift * v * u + hull.turn_yaw * turn * std::abs(u)) -
-                   drag * cross_flow(v, kTurnInMoment * r * half, half).moment;
+                   drag * (round.moment - deeper * round.second);
     return force;
 }
 

@@ -9,7 +9,8 @@ namespace windlass::physics {
 /// A hull's coefficients in deep water, midships being the origin. Forces are over 1/2 rho L T, with speed
 /// through water squared; moments over L more, rates of turn times L. Linear terms are drift's and yaw's.
 struct HullCoefficients {
-    double length = 0, beam = 0, draught = 0; ///< m: L between perpendiculars, T
+    double length = 0, beam = 0, draught = 0; ///< m: L between perpendiculars, T amidships
+    double trim = 0;                          ///< by the stern, of the draught
     double block = 0;                         ///< of displacement
     double friction_area = 0;                 ///< m2, wetted
     double side_drift = 0, side_yaw = 0;      ///< Y_v, Y_r
@@ -23,7 +24,9 @@ struct HullCoefficients {
 /// Of a ship's particulars. Linear terms: K. Kijima and others (1990), On the manoeuvring performance of a
 /// ship with the parameter of loading condition, J. Soc. Naval Arch. Japan 168, with the centre of gravity
 /// amidships. Added masses: Zhou Zhaoming and others (1983), a regression of S. Motora's charts; KVLCC2's
-/// come out within 5 %. Cross-flow drag: UFC 4-159-03 (2005), eq. 11.
+/// come out within 5 %. Cross-flow drag: UFC 4-159-03 (2005), eq. 11. Trim, in the linear terms: S. Inoue, M.
+/// Hirano, K. Kijima (1981), Hydrodynamic derivatives on ship manoeuvring, Int. Shipbuilding Progress 28 (as
+/// recalled); Kijima's own (1990) are within a fifth of them at these ships' trims.
 HullCoefficients hull_coefficients(const ShipDef& def);
 
 /// The same where the water is so many metres deep.

@@ -12,7 +12,8 @@ struct ShipDef {
     double length_overall = 225;     ///< m
     double length_pp = 217;          ///< m, between perpendiculars; midships is in its middle
     double beam = 32.2;              ///< m
-    double draught = 12.5;           ///< m
+    double draught = 12.5;           ///< m, amidships
+    double trim = 0;                 ///< m, by the stern: draught there less that at the bow
     double displacement = 7.7e7;     ///< kg
     double gyration_radius = 0.25;   ///< of the length between perpendiculars, yaw
     double lateral_windage = 2600;   ///< m2, above water
@@ -38,6 +39,9 @@ struct ShipDef {
     double hawse_forward = 104;                        ///< m, hawse pipe lip forward of midships
     double hawse_outboard = 7;                         ///< m from the centre line
     double hawse_height = 6;                           ///< m, lip above the waterline
+
+    /// m, so many metres forward of midships.
+    double draught_at(double forward) const { return draught - trim * forward / length_pp; }
 };
 
 } // namespace windlass::physics

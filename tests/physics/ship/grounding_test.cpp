@@ -36,6 +36,18 @@ TEST(Grounding, AShipThatFloatsFeelsNothing) {
     EXPECT_EQ(aslope.force.x, 0);
 }
 
+TEST(Grounding, ByTheSternTouchesThereFirst) {
+    ShipDef ship;
+    ship.trim = 3;
+    EnvironmentDef sea;
+    sea.depth = ship.draught + 1;
+    const KeelAndGround found = keel_and_ground(ship, sea, {}, 0.01);
+    EXPECT_NEAR(found.clearance, -0.5, 1e-9);
+    EXPECT_LT(found.lift.trimming, 0); // the ground lifts her stern
+    sea.depth = ship.draught + 1.6;
+    EXPECT_NEAR(keel_and_ground(ship, sea, {}, 0.01).clearance, 0.1, 1e-9);
+}
+
 // She runs on with her way until ground and friction have it: no farther than the forefoot alone, which
 // bears ever more as she drives up, could take; and she lies there.
 TEST(Grounding, ABeachTakesHerWayAndKeepsHer) {

@@ -28,6 +28,12 @@ ShipDef car_carrier() {
     return ship;
 }
 
+ShipDef in_ballast(double trim) {
+    ShipDef ship;
+    ship.beam = 32.26, ship.draught = 6, ship.displacement = 35.5e6, ship.trim = trim;
+    return ship;
+}
+
 EnvironmentDef still_water(double depth) {
     EnvironmentDef sea;
     sea.depth = depth;
@@ -139,10 +145,58 @@ TEST(HullForce, IsTheSameOnBothSides) {
     EXPECT_EQ(a.moment, -b.moment);
 }
 
+// The stern, which is deeper, hangs back: where she is pushed sideways her drag acts at the middle of the
+// area under water, and where she turns on the spot she is pushed to where her bow goes.
+TEST(HullForce, DragActsWhereHerAreaIs) {
+    ShipDef ship = in_ballast(2.5);
+    const HullCoefficients hull = in_depth(hull_coefficients(ship), 20);
+    const PlanarForce aside = hull_force(hull, kSeaWaterDensity, 0, 0.5, 0);
+    EXPECT_NEAR(aside.moment / aside.y, -ship.trim / ship.draught * ship.length_pp / 12, 1e-9);
+    EXPECT_NEAR(aside.y,
+                hull_force(in_depth(hull_coefficients(in_ballast(0)), 20), kSeaWaterDensity, 0, 0.5, 0).y,
+                1e-6);
+    const PlanarForce round = hull_force(hull, kSeaWaterDensity, 0, 0, 0.002);
+    EXPECT_GT(round.y, 0);
+    // The integrals against sums over 20 000 strips, with the turning point within the hull and beyond it.
+    for (const double v : {0.02, 0.4}) {
+        const double r = 0.002, drag = 0.5 * kSeaWaterDensity * hull.cross_flow;
+        double side = 0, moment = 0;
+        constexpr int kStrips = 20000;
+        for (int k = 0; k < kStrips; ++k) {
+            const double x = ship.length_pp * ((k + 0.5) / kStrips - 0.5), strip = ship.length_pp / kStrips;
+            const double a = v + 2.22 * r * x, b = v + 0.81 * r * x;
+            side -= drag * ship.draught_at(x) * std::abs(a) * a * strip;
+            moment -= drag * ship.draught_at(x) * std::abs(b) * b * x * strip;
+        }
+        const PlanarForce force = hull_force(hull, kSeaWaterDensity, 0, v, r);
+        EXPECT_NEAR(force.y, side, 1e-6 * std::abs(side));
+        EXPECT_NEAR(force.moment, moment, 1e-6 * std::abs(moment));
+    }
+}
+
+// By the stern she is steadier on her course: at the same rudder she turns in a wider circle (as every seaman
+// knows her), by the head in a smaller one.
+TEST(ShipDynamics, TrimByTheSternWidensHerTurn) {
+    const auto diameter = [](double trim) {
+        ShipDef ship = in_ballast(trim);
+        ship.lateral_windage = ship.frontal_windage = 1e-9;
+        ShipState state;
+        state.surge = 5;
+        ShipDynamics dynamics(ship);
+        const EnvironmentDef sea = still_water(200);
+        constexpr double kStep = 0.02;
+        while (state.heading < std::numbers::pi)
+            dynamics.step(sea, {.engine = 0.5, .rudder = 0.35}, {}, {}, kStep, state);
+        return state.x;
+    };
+    EXPECT_GT(diameter(2.5), 1.1 * diameter(0));
+    EXPECT_LT(diameter(-1), diameter(0));
+}
+
 TEST(HullForce, NeverGivesEnergy) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> speed(-5, 5), rate(-0.03, 0.03);
-    for (const ShipDef& ship : {ShipDef{}, kvlcc2(), car_carrier()}) {
+    for (const ShipDef& ship : {ShipDef{}, kvlcc2(), car_carrier(), in_ballast(2.5), in_ballast(-1)}) {
         const HullCoefficients deep = hull_coefficients(ship);
         for (const double draughts : {1.1, 1.2, 1.5, 2.0, 3.0, kDeep}) {
             const HullCoefficients hull = in_depth(deep, draughts * ship.draught);
