@@ -3,11 +3,14 @@
 
 #include "bench/sheering_drawing.hpp"
 #include "bench/table_file.hpp"
+#include "bench/yaw_damping.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <fstream>
+#include <sstream>
 
 using namespace windlass;
 
@@ -16,9 +19,10 @@ namespace {
 struct Options {
     bench::TableOptions table;
     std::string chart;
-    bool reports = false;
+    bool reports = false, damping = false;
     std::vector<double> winds{12, 20};
     std::vector<std::string> ships;
+    std::string others; ///< table that has the rows of the ships that are not asked for
 };
 
 void print(std::ostream& table, const bench::SheeringRow& row) {
@@ -27,6 +31,29 @@ void print(std::ostream& table, const bench::SheeringRow& row) {
                row.wind, row.underfoot ? 2 : 1, s.yaw, s.period / 60, s.mean / 1e3, s.peak / 1e3,
                s.ahead / 1e3, s.peak / s.mean, s.peak / s.ahead, s.dragged);
     table.flush();
+}
+
+/// The rows that an earlier table has of a ship.
+std::vector<bench::SheeringRow> rows_of(const rigs::AnchoredShip& ship, const std::string& file) {
+    std::ifstream table(file);
+    if (!table) throw std::runtime_error(file + ": cannot be read");
+    std::vector<bench::SheeringRow> rows;
+    for (std::string line; std::getline(table, line);) {
+        if (!line.starts_with(ship.ship + ",")) continue;
+        std::ranges::replace(line, ',', ' ');
+        std::istringstream fields(line.substr(ship.ship.size()));
+        bench::SheeringRow row{.ship = ship};
+        rigs::Sheering& s = row.found;
+        int anchors = 0;
+        double over_mean = 0, over_ahead = 0;
+        if (!(fields >> row.wind >> anchors >> s.yaw >> s.period >> s.mean >> s.peak >> s.ahead >>
+              over_mean >> over_ahead >> s.dragged))
+            throw std::runtime_error(file + ": not a table of this program: " + line);
+        row.underfoot = anchors == 2;
+        s.period *= 60, s.mean *= 1e3, s.peak *= 1e3, s.ahead *= 1e3;
+        rows.push_back(row);
+    }
+    return rows;
 }
 
 void run(const Options& options) {
@@ -40,8 +67,14 @@ void run(const Options& options) {
         print(table, rows.back());
     };
     for (const rigs::AnchoredShip& ship : rigs::anchored_ships()) {
-        if (!options.ships.empty() && std::ranges::find(options.ships, ship.ship) == options.ships.end())
+        if (!options.ships.empty() && std::ranges::find(options.ships, ship.ship) == options.ships.end()) {
+            if (options.others.empty()) continue;
+            for (const bench::SheeringRow& row : rows_of(ship, options.others)) {
+                rows.push_back(row);
+                print(table, row);
+            }
             continue;
+        }
         for (const double wind : options.winds)
             look(ship, wind, false);
         look(ship, options.winds.back(), true);
@@ -63,23 +96,23 @@ struct Report {
 std::vector<Report> reports() {
     rigs::AnchoredShip pasha_bulker = rigs::anchored_ship("panamax_ballast"),
                        box_ship = rigs::anchored_ship("container_ship_300m");
-    pasha_bulker.cable = box_ship.cable = 220;
+    pasha_bulker.anchor = "hhp_7425";
+    pasha_bulker.cable = 247, box_ship.cable = 220;
     box_ship.depth = 35;
     const auto gusts = [](exercise::Weather& weather) { weather.gust_factor = 1.25; };
-    return {{"Pasha Bulker",
-             pasha_bulker,
-             30,
-             18,
-             {{"gusts", gusts},
-              {"wind sea", [](exercise::Weather& w) { w.wave_height = 2.5, w.wave_period = 7; }},
-              {"swell", [](exercise::Weather& w) { w.swell_height = 3.5, w.swell_period = 12; }}}},
-            {"box ship",
-             box_ship,
-             70,
-             20.6,
-             {{"gusts", gusts},
-              {"wind sea", [](exercise::Weather& w) { w.wave_height = 2, w.wave_period = 6; }},
-              {"stream", [](exercise::Weather& w) { w.current_speed = 1.3; }}}}};
+    return {
+        {"Pasha Bulker",
+         pasha_bulker,
+         30,
+         18,
+         {{"gusts", gusts}, {"sea", [](exercise::Weather& w) { w.wave_height = 2.8, w.wave_period = 9; }}}},
+        {"box ship",
+         box_ship,
+         70,
+         20.6,
+         {{"gusts", gusts},
+          {"wind sea", [](exercise::Weather& w) { w.wave_height = 2, w.wave_period = 6; }},
+          {"stream", [](exercise::Weather& w) { w.current_speed = 1.3; }}}}};
 }
 
 void run_reports(const Options& options) {
@@ -90,7 +123,8 @@ void run_reports(const Options& options) {
     for (const Report& report : reports()) {
         exercise::Weather weather = rigs::steady_wind(report.wind);
         const auto look = [&](const std::string& with) {
-            const rigs::Sheering s = rigs::sheer(report.ship, weather, false);
+            constexpr double kFreshens = 1200; // s: a gale that comes at once drags anchors by her way in it
+            const rigs::Sheering s = rigs::sheer(report.ship, weather, false, 60, kFreshens);
             fmt::print(table, "{},{},{},{},{:.0f},{:.1f},{:.0f},{:.0f},{:.0f}\n", report.name, report.wind,
                        with, report.sweep, s.sweep, s.period / 60, s.mean / 1e3, s.peak / 1e3, s.dragged);
             table.flush();
@@ -119,15 +153,22 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1.0, 60.0))
         ->capture_default_str();
     app.add_option("--ships", options.ships, "names in config/ships; else all")->check(CLI::IsMember(known));
+    app.add_option("--others", options.others,
+                   "an earlier table of the same model, for the rows of the ships that are not asked for");
     app.add_flag("--reports", options.reports,
                  "instead, the ships of which reports tell how they yawed, in more and more of the weather");
+    app.add_flag("--damping", options.damping,
+                 "instead, the Panamax in ballast with one thing at a time that could damp or steady her");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
     try {
-        options.reports ? run_reports(options) : run(options);
+        if (options.damping)
+            bench::table_of_dampings(bench::TableFile(options.table).stream(), options.winds);
+        else
+            options.reports ? run_reports(options) : run(options);
     } catch (const std::exception& error) {
         fmt::print(stderr, "sheering_chart: {}\n", error.what());
         return 1;

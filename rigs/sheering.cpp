@@ -101,14 +101,15 @@ exercise::Weather steady_wind(double speed) {
     return weather;
 }
 
-Sheering sheer(const AnchoredShip& ship, const exercise::Weather& weather, bool underfoot, int minutes) {
+Sheering sheer(const AnchoredShip& ship, const exercise::Weather& weather, bool underfoot, int minutes,
+               double freshens) {
     Drill drill(definition(ship, underfoot));
     let_go(drill, ship);
     if (underfoot) {
         pass(drill, 600); // she comes to lie
         let_go_underfoot(drill, ship);
     }
-    drill.give(exercise::EnvironmentOrder{weather});
+    drill.give(exercise::EnvironmentOrder{.weather = weather, .ramp = freshens});
     pass(drill, 1800);
     Sheering s;
     s.ahead = std::abs(physics::wind_force(drill.exercise().def().ship, weather.wind_speed, 0).x);

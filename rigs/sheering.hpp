@@ -38,7 +38,9 @@ exercise::Weather steady_wind(double speed);
 /// Lets go on port at 0.4 m/s of sternway, 5 degrees off a wind of 8 m/s, pays out as she falls back, and
 /// lies for half an hour in that weather, whose wind is from the north, and then for as many minutes as are
 /// looked at. underfoot: the starboard anchor is let go under her foot before the wind rises, with cable of
-/// 1.5 times the depth from the lip. Throws std::runtime_error when an anchor does not come to the bottom.
-Sheering sheer(const AnchoredShip& ship, const exercise::Weather& weather, bool underfoot, int minutes = 60);
+/// 1.5 times the depth from the lip. freshens: s of the first half hour, in which that weather comes up.
+/// Throws std::runtime_error when an anchor does not come to the bottom.
+Sheering sheer(const AnchoredShip& ship, const exercise::Weather& weather, bool underfoot, int minutes = 60,
+               double freshens = 0);
 
 } // namespace windlass::rigs
