@@ -183,7 +183,7 @@ struct ByChance {
 };
 
 /// The same hands with other luck each time: lesson::luck.
-ByChance play_again(const LessonFile& file, const assess::LessonRun& run,
+ByChance play_again(const exercise::ExerciseDef& def, const assess::LessonRun& run,
                     const std::vector<trainee::Script>& scripts, const lesson::Played& first,
                     unsigned attempts) {
     ByChance found;
@@ -191,7 +191,7 @@ ByChance play_again(const LessonFile& file, const assess::LessonRun& run,
     found.as_said = as_said(first, run.fails);
     std::set<std::string> musts, others;
     for (unsigned k = 1; k < attempts; ++k) {
-        const lesson::Played again = lesson::play(file.def, scripts, {}, lesson::luck(k));
+        const lesson::Played again = lesson::play(def, scripts, {}, lesson::luck(k));
         found.least = std::min<std::int64_t>(found.least, again.result.tenths);
         found.most = std::max<std::int64_t>(found.most, again.result.tenths);
         found.as_said += as_said(again, run.fails);
@@ -270,8 +270,9 @@ int attempt(const LessonOptions& options) {
         if (!file.lesson.model_run.scripts.empty()) runs.insert(runs.begin(), file.lesson.model_run);
         for (const assess::LessonRun& one : runs) {
             const auto scripts = scripts_of(file, one);
-            const lesson::Played played = lesson::play(wanted(file, options), scripts);
-            const ByChance by_chance = play_again(file, one, scripts, played, options.chances);
+            const exercise::ExerciseDef def = wanted(file, options);
+            const lesson::Played played = lesson::play(def, scripts);
+            const ByChance by_chance = play_again(def, one, scripts, played, options.chances);
             const bool good = as_said(played, one.fails) && by_chance.musts.empty();
             all = all && good;
             std::cout << fmt::format("| {} | {} | {} | {}{} | {} | {} |\n", file.lesson.id,
@@ -330,9 +331,10 @@ void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& 
     };
     CLI::App* sub = add("check", "whether files are sound: each mistake with its place and a remedy", check);
     sub->add_option("file", options->files, "exercise files with a lesson")->required();
-    sub->add_flag("--play", options->play,
-                  "play the model run, too: musts and orders that it never meets, and when each fault could "
-                  "first be noticed");
+    sub->add_flag(
+        "--play", options->play,
+        "play the model run, too: musts and orders that it never meets, when each fault could first "
+        "be noticed, and all runs at the ends of what the lesson leaves to chance");
     sub = add("list", "the lessons of a folder", list);
     sub->add_option("folder", options->folder, "of exercise files")->capture_default_str();
     sub = add("new", "write a lesson to begin with", make_new);

@@ -1,6 +1,7 @@
 #include "instructor_console/played_doubts.hpp"
 
 #include "lesson/cues.hpp"
+#include "lesson/ends_of_chance.hpp"
 #include "station/format.hpp"
 
 #include <fmt/format.h>
@@ -34,6 +35,36 @@ void doubt_model_run(const LessonFile& file, const std::vector<trainee::Script>&
                                       lesson.orders[k].id));
 }
 
+/// "brake: 0:41 wanted ...": the musts that a run misses.
+std::string missed_musts(const lesson::Played& played) {
+    std::string text;
+    for (const assess::CriterionResult& one : played.result.criteria)
+        if (one.must && !one.met)
+            text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", one.code, one.reason);
+    return text.empty() ? fmt::format("{}, with {:.1f} points", assess::outcome_name(played.result.outcome),
+                                      0.1 * static_cast<double>(played.result.tenths))
+                        : text;
+}
+
+/// A draw that comes near an end of its bounds is rare, and somebody's all the same.
+void doubt_chance(const LessonFile& file, std::vector<std::string>& all) {
+    std::vector<assess::LessonRun> right = file.lesson.also_right;
+    right.insert(right.begin(), file.lesson.model_run);
+    for (const lesson::AtAnEnd& end : lesson::ends_of_chance(file.def)) {
+        for (const assess::LessonRun& run : right) {
+            const lesson::Played played = lesson::play(end.def, scripts_of(file, run));
+            if (played.result.outcome != assess::Outcome::achieved)
+                all.push_back(fmt::format("/lesson/faults ({}): there the {} fails: {}", end.which,
+                                          run.about.empty() ? "model run" : "run '" + run.about + "'",
+                                          missed_musts(played)));
+        }
+        for (const assess::LessonRun& error : file.lesson.errors)
+            if (lesson::play(end.def, scripts_of(file, error)).result.outcome == assess::Outcome::achieved)
+                all.push_back(fmt::format("/lesson/faults ({}): there the typical error '{}' is achieved",
+                                          end.which, error.about));
+    }
+}
+
 /// "brake-lining-faded: at 5:12, to be noticed 0.8 s later by the noise of the brake".
 std::string words(const lesson::Cue& cue) {
     const std::string at = fmt::format("/lesson/faults ({})", cue.fault);
@@ -60,6 +91,7 @@ std::vector<std::string> played_doubts(const LessonFile& file) {
     if (file.lesson.model_run.scripts.empty()) return all;
     const std::vector<trainee::Script> model = scripts_of(file, file.lesson.model_run);
     doubt_model_run(file, model, all);
+    doubt_chance(file, all);
     exercise::ExerciseDef practice = file.def;
     practice.lesson = assess::for_practice(practice.lesson);
     const std::vector<lesson::Cue> cues = lesson::cues(practice, model);

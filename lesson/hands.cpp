@@ -131,11 +131,13 @@ Script closes(const Script& model) {
     return script;
 }
 
-/// Without its words.
+/// Without its words: on a bridge those are its orders.
 Script silent(Script script) {
     script.repeats_orders.reset();
-    for (Step& step : script.steps)
+    for (Step& step : script.steps) {
         step.report.reset();
+        step.order.reset();
+    }
     return script;
 }
 
@@ -304,6 +306,11 @@ Should should_of(const std::string& name) {
     return Should::end;
 }
 
+/// The others differ in how they take the bridge's orders, which a trainee on the bridge gives himself.
+bool is_for_a_bridge(std::string_view hand) {
+    return hand == "idle" || hand == "silent" || hand == "patient";
+}
+
 } // namespace
 
 const char* should_name(Should should) {
@@ -325,7 +332,7 @@ std::span<const HandRow> hand_rows() {
 std::vector<Hand> hands(const assess::Lesson& lesson, const std::vector<Script>& model) {
     std::vector<Hand> all;
     for (const HandRow& row : kRows) {
-        if (lesson.bridge_manned && row.name != std::string_view("idle")) continue;
+        if (lesson.bridge_manned && !is_for_a_bridge(row.name)) continue;
         auto parts = parts_of(row.name, lesson, model);
         if (!parts) continue;
         Hand hand{.name = row.name, .about = row.about, .should = row.should, .parts = std::move(*parts)};

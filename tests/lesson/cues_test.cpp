@@ -2,6 +2,7 @@
 
 #include "instructor_console/played_doubts.hpp"
 #include "lesson/cues.hpp"
+#include "lesson/ends_of_chance.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 console::LessonFile lesson_of(const char* name) {
     return console::read_lesson_file(std::string(WINDLASS_CONFIG_DIR) + "/exercises/" + name);
@@ -56,6 +58,35 @@ TEST(Cues, HintOfALoadCellThatErrsBeforeItBearsAnythingKnowsTheTruth) {
 TEST(Cues, CheckSaysOfEachFaultWhenItCouldBeNoticed) {
     EXPECT_THAT(console::played_doubts(lesson_of("L13_runaway.json")),
                 Contains(HasSubstr("/lesson/faults (brake-lining-faded): comes at ")));
+}
+
+// L15 as it once was: late in its bounds so little cable hung that nobody could show anything, which 15 of 80
+// draws came to and the model run as it is played did not.
+TEST(Cues, CheckPlaysTheEndsOfWhatALessonDraws) {
+    console::LessonFile file = lesson_of("L15_motor_overhauled.json");
+    EXPECT_THAT(console::played_doubts(file), Not(Contains(HasSubstr("fails"))));
+    auto lesson = nlohmann::json::parse(file.def.lesson);
+    lesson["faults"][0]["delay"] = {25, 70};
+    file.def.lesson = lesson.dump();
+    EXPECT_THAT(console::played_doubts(file),
+                Contains(HasSubstr("/lesson/faults (latest): there the model run fails")));
+}
+
+TEST(EndsOfChance, EachKindSoonestAndLatestWeakestAndStrongest) {
+    std::vector<std::string> which;
+    for (const lesson::AtAnEnd& end : lesson::ends_of_chance(lesson_of("L28_anchor_watch.json").def)) {
+        which.push_back(end.which);
+        const auto faults = nlohmann::json::parse(end.def.lesson)["faults"];
+        EXPECT_EQ(std::ranges::count_if(faults, [](const auto& one) { return one.contains("one_of"); }), 1);
+        for (const auto& one : faults) {
+            if (one.contains("delay")) {
+                EXPECT_EQ(one["delay"][0], one["delay"][1]);
+            }
+        }
+    }
+    EXPECT_EQ(which.size(), 8); // two kinds
+    EXPECT_THAT(which, Contains("latest, weakest, kind 2 of 2"));
+    EXPECT_THAT(lesson::ends_of_chance(lesson_of("L01_let_go_25m.json").def), IsEmpty()); // nothing is drawn
 }
 
 } // namespace
