@@ -146,6 +146,25 @@ TEST(Checkpoint, TakesACableThatSleepsOrIsLeftToTheCatenary) {
     expect_branch(drill, 10, "catenary");
 }
 
+/// The catenary has laid out nodes that the windlass hove in since; a state that is brought back without them
+/// is the same when the cable is as long again.
+TEST(Checkpoint, KnowsNothingOfNodesThatWereHoveIn) {
+    Drill drill(steady_breeze_def());
+    ASSERT_TRUE(lie_quietly(drill));
+    const double lay = drill.chain().cable_out;
+    drill.clutch(true);
+    drill.run(10);
+    drill.brake(0);
+    drill.run(5);
+    drill.speed_lever(0.5);
+    ASSERT_TRUE(drill.run_until([&] { return drill.chain().cable_out < lay - 3; }, 120));
+    drill.speed_lever(-0.4);
+    expect_branch(drill, 60, "hove in, and walked back");
+    Snapshot after;
+    drill.exercise().view(after);
+    EXPECT_GT(after.tackle.front().chain.cable_out, lay) << "all of it is out again";
+}
+
 TEST(Checkpoint, OfAQuietCableKnowsWhereThePipeIs) {
     // She drifts to starboard of where she started, head to the wind at last: seen from where the port pipe
     // was at the start the anchor would be up it, flukes towards the ship's side.

@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x0a0c73b58dbbf813},
-    {1800, 0x67a711f4263b7616},
-    {3300, 0xc3530fb43185d0d2},
-    {6000, 0xfdcc3a96b72235c1},
-    {8700, 0xa39fac78e99d65ba},
-    {12000, 0xcc6e9bc3f28caff1},
-    {15000, 0x3128277df9a57717},
+    {300, 0x94c0087c02d54ceb},
+    {1800, 0x88caa98429e370f6},
+    {3300, 0x8de8741d293b4dd8},
+    {6000, 0x5319d54e23c14eb8},
+    {8700, 0xfa95b6cf0f3b55a9},
+    {12000, 0x4d1ab944be3997e8},
+    {15000, 0xf554e2259e4f5ade},
 }};
 
 } // namespace

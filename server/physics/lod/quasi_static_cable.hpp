@@ -59,15 +59,13 @@ public:
     Vec3 pull() const;                                  ///< N, of the cable on the ship
     const QuietState& state() const { return state_; }
 
-    /// All that is remembered between steps, the last solution with it. nodes: in use.
+    /// All that is remembered between steps, the last solution with it, but for the nodes: they are laid out
+    /// before they are read, each time, and what is left there of nodes that were hove in is nobody's state.
     template <class Visitor, StateOf<QuasiStaticCable> Self>
-    friend void list_state(Visitor& v, Self& self, std::size_t nodes) {
+    friend void visit_state(Visitor& v, Self& self) {
         WINDLASS_STATE(v, self.cable_, self.state_, self.foot_, self.toward_);
         // Of the last look, and found anew before it is used: the cable may have been hove in since.
         v.within({"foot"}, self.foot_, 0, self.nodes_.size() - 1);
-        v.numbers({"nodes_x"}, self.nodes_.x.data(), nodes);
-        v.numbers({"nodes_y"}, self.nodes_.y.data(), nodes);
-        v.numbers({"nodes_z"}, self.nodes_.z.data(), nodes);
     }
 
 private:
@@ -88,7 +86,7 @@ private:
     QuietState state_;
     int foot_ = 0;                ///< of the last look at the dynamic cable
     Vec3 toward_ = Vec3::UnitX(); ///< level, from foot to lip, of the last solution
-    Field nodes_;                 ///< m, of the last solution
+    Field nodes_;                 ///< m, of the last solution; laid out before it is read
 };
 
 } // namespace windlass::physics

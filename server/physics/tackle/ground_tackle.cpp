@@ -295,7 +295,7 @@ void visit_state(Visitor& v, Self& self) {
     }
     if (!self.quiet_) return;
     v.enter({"quiet"});
-    list_state(v, *self.quiet_, static_cast<std::size_t>(self.chain_.links) + 1);
+    v.fields_of(*self.quiet_);
     if (Visitor::kRestores && self.quiet_->state().active) { // then it is the cable
         constexpr double kSlackest = 1e-3;                   // N
         v.within({"pull of the catenary (active h v_lip toward)"}, self.quiet_->pull().norm(), kSlackest,
