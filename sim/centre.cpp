@@ -32,6 +32,8 @@ constexpr int kLookedAhead = 30;                       // ticks, beside a beat
 constexpr std::size_t kRoomy = 8 << 20;                // bytes: more than an exercise may take of the disk
 constexpr std::size_t kMemory = 256 << 20;             // bytes
 constexpr std::uint64_t kFirstRun = 1'800'000'000'000; // ms since 1970
+constexpr double kHangs =
+    10; // s, in which a server must have ended that is to begin anew, as workers::supervise
 
 /// How often the exercise was taken up since it settled, as the newest file has it.
 std::size_t attempts(SimDisk& disk) {
@@ -76,6 +78,7 @@ struct Server {
     run::Inbox inbox;
     std::optional<Checks::Place> handed_over{}; // since the disk was waited for last
     std::optional<Ahead> ahead{};
+    bool leaves = false; // ticks no more, and waits for its disk
 };
 
 class Centre {
@@ -90,6 +93,7 @@ public:
           network_(world_),
           checks_(world_),
           hands_(world_, network_, plan.def.tackle.size()),
+          anew_(~plan.seed),
           end_(static_cast<std::uint64_t>(plan.minutes * 60 * plan.def.tick_rate_hz)) {}
 
     Outcome run();
@@ -97,6 +101,8 @@ public:
 private:
     void start();
     void lose(Loss how);
+    void begin_anew(std::uint64_t life);
+    void leave();
     void beat(std::uint64_t life);
     void tick();
     void look_ahead();
@@ -122,6 +128,8 @@ private:
     Network network_;
     Checks checks_;
     Hands hands_;
+    Chance anew_; // of its own, so that a seed without a server that begins anew is what it was before there
+                  // were such
     const std::uint64_t end_;
     std::optional<Server> server_;
     std::uint64_t life_ = 0;
@@ -138,7 +146,7 @@ void Centre::start() {
     clock_is_off_ += chance.in(0.3) ? chance.between(-100, 100) : 0; // what the machine takes for the time
     Beginning how{.lost_by = lost_by_, .first = life_ == 1, .rotten = rotten_ || disk_.refuses};
     how.attempts = attempts(disk_);
-    checks_.starts();
+    checks_.starts(how);
     how.set_back_before =
         lost_setting_back_ || std::ranges::any_of(keep::kept_files(kFolder, disk_), keep::is_set_back);
     lost_setting_back_ = lost_setting_back_ || how.attempts >= 2; // until it has begun
@@ -180,6 +188,7 @@ void Centre::start() {
     after(kSyncEvery, &Centre::sync);
     after(chance.spread(0.5, 60), &Centre::weather_the_disk);
     after(chance.spread(0.5, 60), &Centre::stall);
+    if (anew_.in(0.1)) after(anew_.spread(0.01, 60), &Centre::begin_anew);
     plan_the_end(life_);
 }
 
@@ -214,6 +223,27 @@ void Centre::lose(Loss how) {
         disk_.refuses = false, disk_.room = std::numeric_limits<std::uint64_t>::max();
 }
 
+/// As main.cpp by SIGUSR1, and host::HostedExercise: what the exercise has come to goes to the disk, and then
+/// the server ends. One that does not come to its end is killed.
+void Centre::begin_anew(std::uint64_t life) {
+    Server& server = *server_;
+    if (std::exchange(server.leaves, true)) return;
+    world_.tell("the server is told to begin anew");
+    server.kept.look(server.session, true);
+    server.kept.let_go(false);
+    world_.at(world_.now() + kHangs, [this, life] {
+        if (lives(life)) throw Crash{Loss::killed};
+    });
+}
+
+void Centre::leave() {
+    world_.tell("the server has ended, and begins anew");
+    server_.reset();
+    network_.serve_nobody();
+    ++outcome_.left;
+    disk_.lose(Loss::killed);
+}
+
 /// As dds::CommandReaders.
 void Centre::hear(const Sent& sent) {
     const std::size_t kind = sent.sample.index();
@@ -230,6 +260,7 @@ void Centre::hear(const Sent& sent) {
 
 /// As host::HostedExercise.
 void Centre::beat(std::uint64_t) {
+    if (server_->leaves) return;
     if (world_.now() < stalled_until_) {
         after(stalled_until_ - world_.now(), &Centre::beat);
         return;
@@ -322,12 +353,14 @@ void Centre::write(std::uint64_t life) {
     const auto place = checks_.place();
     const std::uint64_t before = disk_.errors();
     const bool whole = server.kept.trouble().empty() && !disk_.failed();
-    server.kept.write_waiting();
+    const bool goes_on = server.kept.write_waiting();
     if (!lives(life)) return;
     if (whole && disk_.errors() == before && server.kept.trouble().empty()) {
         server.handed_over = place;
         checks_.handed_over(place);
+        if (!goes_on) checks_.left_whole();
     }
+    if (!goes_on) throw Left();
     hold_memory();
     after(kWriteEvery + world_.chance().spread(1e-5, 3e-3), &Centre::write);
 }
@@ -388,6 +421,10 @@ Outcome Centre::run() {
             } catch (const Crash& crash) {
                 lose(crash.how);
                 world_.run_until(world_.now() + world_.chance().spread(0.2, 10));
+                restart = true;
+            } catch (const Left&) {
+                leave();
+                world_.run_until(world_.now() + anew_.spread(0.2, 1));
                 restart = true;
             }
         }

@@ -34,6 +34,7 @@ struct Outcome {
     std::uint64_t ticks = 0; ///< of exercise
     double simulated = 0;    ///< s, of the world
     std::uint64_t kills = 0, power_cuts = 0, taken_up = 0, set_back = 0, anew = 0, rotten = 0;
+    std::uint64_t left = 0; ///< servers that were told to begin anew, and did
     std::uint64_t predictions = 0;
     std::uint64_t digest = 0; ///< of all that was told
     struct Failed {

@@ -182,18 +182,30 @@ bool Checks::go_on_from(Line& line, std::uint64_t tick, const State& state) {
     return true;
 }
 
-void Checks::starts() {
-    for (Line& one : lines_)
+void Checks::starts(const Beginning& how) {
+    if (std::exchange(left_whole_, false) && how.attempts > 0 && !how.rotten)
+        fail("kept", "no loss is counted of a server that ended by itself",
+             fmt::format("{} are", how.attempts));
+    for (Line& one : lines_) {
+        if (how.lost_by == Loss::power_cut) one.left = 0; // what was forgotten may be there again
         ++one.starts;
+    }
+}
+
+void Checks::left_whole() {
+    left_whole_ = true;
+    for (Line& one : lines_)
+        one.left = one.starts;
 }
 
 /// A course of which something is kept is set back when servers that took it up were lost twice, and for no
 /// loss of a course before it.
 void Checks::hold_set_back(const Place& promise, const Beginning& how) const {
     const auto kept = std::ranges::find(lines_, promise.line, &Line::number);
-    if (kept != lines_.end() && kept->starts < 3 && !how.set_back_before)
+    const std::size_t starts = kept == lines_.end() ? 3 : kept->starts - kept->left;
+    if (starts < 3 && !how.set_back_before)
         fail("kept", "taken up at " + text(promise) + " or later",
-             fmt::format("set back, as server {} of its course begins: {}", kept->starts, how.set_back));
+             fmt::format("set back, as server {} of its course begins: {}", starts, how.set_back));
 }
 
 void Checks::begins(const run::Session& session, const Beginning& how) {

@@ -29,8 +29,8 @@ class Checks {
 public:
     explicit Checks(const World& world) : world_(world) {}
 
-    /// A server is about to begin; it may be lost before it has.
-    void starts();
+    /// A server is about to begin; it may be lost before it has. how: what was there before it.
+    void starts(const Beginning& how);
     /// A server has begun, and has not ticked yet.
     void begins(const run::Session& session, const Beginning& how);
     /// A sample is in the mailbox.
@@ -48,6 +48,9 @@ public:
     Place place() const;
     void handed_over(const Place& place);
     void on_disk(const Place& place);
+
+    /// The server has ended by itself, with all that was looked at handed over: it is no loss.
+    void left_whole();
 
     /// All that was not gone through undisturbed yet.
     void end();
@@ -79,6 +82,7 @@ private:
         std::optional<Place> handed_over, on_disk;
         bool ended = false;     // nothing of it need be kept
         std::size_t starts = 0; // of servers, since it began
+        std::size_t left = 0;   // of them, up to one that ended by itself: they are counted no more
     };
     /// Gone through undisturbed, some way along a line.
     struct Undisturbed {
@@ -118,6 +122,7 @@ private:
     std::uint64_t line_number_ = 0;
     std::optional<Undisturbed> undisturbed_;
 
+    bool left_whole_ = false; // the last server
     std::uint64_t tick_ = 0, seen_ = 0, digest_ = 14695981039346656037ULL;
     std::uint64_t run_ = 0, run_base_ = 0; // orders of the line before the run's first
     std::uint64_t event_ = 0;

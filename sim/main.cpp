@@ -18,9 +18,9 @@ constexpr int kFailed = 1, kBadExercise = 2;
 std::string line(std::uint64_t seed, const windlass::sim::Outcome& found) {
     return fmt::format(
         "seed {}: {} ticks in {:.0f} s, {} kills, {} power cuts, {} taken up, {} set back, {} begun anew, "
-        "{} rotten, {} predictions, digest {:016x}",
+        "{} rotten, {} left, {} predictions, digest {:016x}",
         seed, found.ticks, found.simulated, found.kills, found.power_cuts, found.taken_up, found.set_back,
-        found.anew, found.rotten, found.predictions, found.digest);
+        found.anew, found.rotten, found.left, found.predictions, found.digest);
 }
 
 } // namespace

@@ -23,6 +23,9 @@ struct Crash {
     Loss how;
 };
 
+/// The server has ended by itself, as it was told to begin anew. No std::exception either.
+struct Left {};
+
 /// A check that failed. No std::exception either.
 struct Failure {
     std::string check, expected, found;

@@ -187,14 +187,19 @@ bool KeptExercise::disk_is_slow(Clock::time_point now) const {
     return gap_ || now - waits_since_ > kPatience || (!all_there && now - to_sync_.since > kPatience);
 }
 
-void KeptExercise::close(bool in_order) {
-    std::unique_lock lock(mutex_);
+void KeptExercise::let_go(bool in_order) {
+    const std::lock_guard lock(mutex_);
     if (in_order) {
         over_ = true;
         waiting_.clear();
         reached_.reset();
     }
     closing_ = true;
+}
+
+void KeptExercise::close(bool in_order) {
+    let_go(in_order);
+    std::unique_lock lock(mutex_);
     closed_.wait_for(lock, kClosing, [this] { return gone_; });
 }
 

@@ -62,13 +62,15 @@ public:
     /// The file has grown so long that the next one should begin, with a checkpoint.
     bool wants_checkpoint() const { return long_; }
 
-    /// Nothing more comes; returns when all is written, or time is up. in_order: nothing is to be taken up.
-    /// Who comes so far was not lost by the exercise's state: it is no attempt.
+    /// Nothing more comes. in_order: nothing is to be taken up. Who comes so far was not lost by the
+    /// exercise's state: it is no attempt.
+    void let_go(bool in_order);
+    /// The same; returns when all is written, or time is up.
     void close(bool in_order);
 
     // Of the keeper's threads.
 
-    /// Writes what waits. False: it was closed.
+    /// Writes what waits. False: it was closed, and this was the last of it.
     bool write_waiting();
     /// Waits until the disk has what was written.
     void sync();

@@ -157,13 +157,52 @@ TEST(Checks, FindACourseThatIsSetBackForLossesOfTheOneBefore) {
         checks.begins(session, {.first = true});
         checks.handed_over(checks.place());
         for (int k = 0; k <= losses; ++k)
-            checks.starts();
+            checks.starts({});
         const Beginning back{.refused = "lost twice", .set_back = "lost twice", .attempts = 2};
         if (losses < 2)
             EXPECT_THROW(checks.begins(session, back), Failure) << losses;
         else
             EXPECT_NO_THROW(checks.begins(session, back));
     }
+}
+
+TEST(Checks, FindALossThatIsCountedOfAServerThatEndedByItself) {
+    const World world(1);
+    for (const std::size_t attempts : {0U, 1U}) {
+        Checks checks(world);
+        checks.begins(run::Session({}, {}), {.first = true});
+        checks.left_whole();
+        if (attempts > 0)
+            EXPECT_THROW(checks.starts({.attempts = attempts}), Failure);
+        else
+            EXPECT_NO_THROW(checks.starts({.attempts = attempts}));
+    }
+}
+
+TEST(Checks, FindACourseThatIsSetBackForLossesBeforeAServerThatEndedByItself) {
+    const World world(1);
+    const run::Session session({}, {});
+    for (const bool left : {false, true}) {
+        Checks checks(world);
+        checks.begins(session, {.first = true});
+        checks.handed_over(checks.place());
+        for (int k = 0; k < 3; ++k) {
+            checks.starts({});
+            if (left && k == 0) checks.left_whole();
+        }
+        const Beginning back{.refused = "lost twice", .set_back = "lost twice", .attempts = 2};
+        if (left)
+            EXPECT_THROW(checks.begins(session, back), Failure);
+        else
+            EXPECT_NO_THROW(checks.begins(session, back));
+    }
+}
+
+TEST(Centre, BeginsAnewWhenItIsTold) {
+    std::uint64_t left = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+        left += run({.seed = seed, .minutes = 0.5}).left;
+    EXPECT_GT(left, 0U);
 }
 
 WindlassCommand levers(double brake, double speed_lever = 0) {
