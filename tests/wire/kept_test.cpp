@@ -138,6 +138,33 @@ TEST_F(ServerThatKeeps, BringsBackWhatInstructorsHadCreatedWhenItWasKilled) {
     })) << server->text();
 }
 
+/// Ticks are counted, not timed: with a tick that waits for its disk the exercise would stand still.
+TEST_F(ServerThatKeeps, GoesOnTickByTickWhileItsDiskTakesNothing) {
+    const auto command = server_command(folder_, 8);
+    std::vector<std::string> held{"/usr/bin/env", "LD_PRELOAD=" WINDLASS_HELD_DISK,
+                                  "WINDLASS_HELD=" + folder_.path().string()};
+    held.insert(held.end(), command.begin(), command.end());
+    auto server = std::make_unique<ChildProcess>(held);
+    const ChildProcess trainee(trainee_command());
+    const auto kept = [&] { return !keep::kept_files(folder_ / "keep" / "exercise-default").empty(); };
+    ASSERT_TRUE(eventually([&] { return kept() && witness_.status().time() > 1; })) << server->text();
+
+    std::ofstream(folder_ / "hold").close();
+    const auto from = witness_.status().tick();
+    ASSERT_TRUE(eventually([&] { return !witness_.told("exercise.not_kept").empty(); })) << server->text();
+    EXPECT_THAT(witness_.told("exercise.not_kept"), HasSubstr("does not come to the disk within 3 s"));
+    ASSERT_TRUE(eventually([&] { return witness_.status().tick() > from + 9000; }));
+    EXPECT_EQ(witness_.told("exercise.kept"), "") << "the disk has been held throughout";
+
+    std::filesystem::remove(folder_ / "hold");
+    EXPECT_TRUE(eventually([&] { return !witness_.told("exercise.kept").empty(); }));
+    kill_9(*server);
+    const auto run = witness_.status().run();
+    server = std::make_unique<ChildProcess>(command);
+    ASSERT_TRUE(eventually([&] { return witness_.truth().run() > run; })) << server->text();
+    EXPECT_GT(witness_.truth().tick(), from + 9000);
+}
+
 TEST_F(ServerThatKeeps, DISABLED_PrintTimes) {
     std::vector<double> heard, standing;
     auto server = std::make_unique<ChildProcess>(server_command(folder_, 1));
