@@ -197,6 +197,15 @@ inline constexpr Topic<Question> bridge_question{{.name = "BridgeQuestion",
                                                   .reliable = true,
                                                   .transient_local = true,
                                                   .depth = 1}};
+/// Of the lesson's model hands, what the seat's own levers and gauges would show; the rest is 0.
+inline constexpr Topic<ForecastleView> forecastle_ghost{{.name = "ForecastleGhost",
+                                                         .type = "ForecastleView",
+                                                         .from_server = true,
+                                                         .rate = 10,
+                                                         .keyed = true,
+                                                         .instances = 2}};
+inline constexpr Topic<BridgeView> bridge_ghost{
+    {.name = "BridgeGhost", .type = "BridgeView", .from_server = true, .rate = 10}};
 inline constexpr Topic<Alert> alert{{.name = "Alert",
                                      .type = "Alert",
                                      .from_server = true,
@@ -417,7 +426,7 @@ inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCo
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 52> all{exercise_status,
+inline constexpr std::array<TopicInfo, 54> all{exercise_status,
                                                exercise_truth,
                                                environment_state,
                                                ship_state,
@@ -441,6 +450,8 @@ inline constexpr std::array<TopicInfo, 52> all{exercise_status,
                                                bridge_instruction,
                                                forecastle_question,
                                                bridge_question,
+                                               forecastle_ghost,
+                                               bridge_ghost,
                                                alert,
                                                server_alert,
                                                bridge_order,

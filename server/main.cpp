@@ -1,6 +1,7 @@
 // windlass_server: opens the exercises, and looks after them until it is told to stop.
 
 #include "common/thread_name.hpp"
+#include "lesson/beside.hpp"
 #include "server/config/config.hpp"
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/prelude.hpp"
@@ -92,6 +93,10 @@ run::SessionOptions session_options(const Options& options) {
             },
         .prepare = [](const exercise::ExerciseDef& def) { return host::read_aside([def] { return def; }); },
         .check = config::check_definition,
+        .model_hands =
+            [options](const std::vector<std::uint8_t>& beginning) {
+                return lesson::model_beside(beginning, config_root(options));
+            },
         // Servers that were not started in the same millisecond never come to the same number.
         .first_run = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(
                                                     std::chrono::system_clock::now().time_since_epoch())

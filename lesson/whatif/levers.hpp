@@ -2,6 +2,7 @@
 // What a hand did with one lever, as the orders tell it: the places at which it stood, and the moves between
 // them.
 
+#include "server/assess/lever.hpp"
 #include "server/run/status.hpp"
 
 #include <span>
@@ -9,19 +10,8 @@
 
 namespace windlass::whatif {
 
-/// A lever that a change may be made to. Values as in WindlassOrder and Helm; of clutch and stopper 1 is in
-/// and closed, 0 out and off.
-enum class LeverKind { brake, speed, clutch, stopper, engine, rudder };
-
-struct Lever {
-    LeverKind kind = LeverKind::brake;
-    exercise::Side side = exercise::Side::port; ///< of the helm: without meaning
-
-    bool of_helm() const { return kind == LeverKind::engine || kind == LeverKind::rudder; }
-    /// It has two places.
-    bool catches() const { return kind == LeverKind::clutch || kind == LeverKind::stopper; }
-    bool operator==(const Lever&) const = default;
-};
+using assess::Lever;
+using assess::LeverKind;
 
 /// From a tick on a lever stood at a place.
 struct Place {

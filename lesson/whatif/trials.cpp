@@ -1,7 +1,8 @@
 #include "lesson/whatif/trials.hpp"
 
 #include "lesson/play.hpp"
-#include "server/assess/marks.hpp"
+#include "server/assess/aids.hpp"
+#include "server/assess/result.hpp"
 #include "server/run/limits.hpp"
 #include "server/run/questions.hpp"
 
@@ -12,9 +13,6 @@
 
 namespace windlass::whatif {
 
-using assess::CriterionKind;
-using assess::CriterionState;
-using assess::Ending;
 using lesson::another_sea;
 using lesson::kLongest;
 using lesson::kLook;
@@ -42,23 +40,16 @@ bool of_the_lesson(const run::OrderView& order) {
             std::holds_alternative<exercise::EnvironmentOrder>(order.command));
 }
 
+/// What was asked for in practice comes at its tick, as all else.
+bool answers_a_question(const exercise::Order& order) {
+    const auto* answer = std::get_if<exercise::AnswerGiven>(&order);
+    return answer != nullptr && !assess::is_aid(answer->question);
+}
+
 run::Course begin_at(const run::CheckpointView& checkpoint, const Attempt& attempt) {
     assess::Assessor assessor;
     exercise::Exercise exercise = exercise::read_checkpoint(checkpoint.data, attempt.check, &assessor);
     return {std::move(exercise), std::move(assessor), checkpoint.orders_taken};
-}
-
-/// Whether a mark can still come to be, or is, as it is to be; nothing: that is open.
-std::optional<bool> verdict(const assess::Lesson& lesson, const assess::State& state, const Goal& goal) {
-    const assess::Mark& mark = state.marks[goal.criterion];
-    const CriterionKind kind = lesson.criteria[goal.criterion].kind;
-    const bool in_play = mark.state != CriterionState::not_in_play;
-    if (mark.decided >= 0 || state.ending != Ending::none) return in_play && mark.milli >= goal.milli;
-    // These only fall; an order's mark counts what may still be earned.
-    const bool falls = kind == CriterionKind::limit || kind == CriterionKind::prohibited ||
-                       (kind == CriterionKind::order && goal.milli == 1000);
-    if (falls && in_play && mark.milli < goal.milli) return false;
-    return std::nullopt;
 }
 
 } // namespace
@@ -109,7 +100,7 @@ public:
         const bool model = tick() >= model_from_;
         const bool conned = hands_ && std::ranges::any_of(hands_->seats, &lesson::Seat::conns);
         for (; next_ < orders_.size() && orders_[next_].tick <= tick(); ++next_)
-            if (!std::holds_alternative<exercise::AnswerGiven>(orders_[next_].command) && // when it is asked
+            if (!answers_a_question(orders_[next_].command) && // that is taken when it is asked
                 (!model || !of_a_hand(orders_[next_].command, conned)))
                 take(orders_[next_].command);
         if (hands_ && tick() % look_every_ == 0) look(model);
@@ -267,10 +258,10 @@ Outcome Trials::go(const Variation& variation, const Goal& goal) {
     const std::uint64_t last = static_cast<std::uint64_t>(state_.begin) +
                                ticks(lesson_->time_limit > 0 ? lesson_->time_limit + 1 : kLongest);
     const auto lost = [&] {
-        if (verdict(*lesson_, assessor.state(), goal) == false) return true;
+        if (assess::verdict(*lesson_, assessor.state(), goal.criterion, goal.milli) == false) return true;
         for (std::size_t k = 0; k < lesson_->criteria.size(); ++k) // a must that was met
             if (lesson_->criteria[k].must && recorded_.criteria[k].met &&
-                verdict(*lesson_, assessor.state(), {k, 500}) == false)
+                assess::verdict(*lesson_, assessor.state(), k, 500) == false)
                 return true;
         return false;
     };

@@ -2,7 +2,6 @@
 
 #include "common/figure_text.hpp"
 #include "server/assess/quantities.hpp"
-#include "server/physics/base/units.hpp"
 #include "words/words.hpp"
 
 #include <fmt/format.h>
@@ -27,46 +26,7 @@ std::string points(int tenths) {
 }
 
 std::string lever_words(const Trials& trials, const Lever& lever) {
-    const std::string side = lever.of_helm() || trials.sides().size() < 2 ? ""
-                             : lever.side == exercise::Side::port         ? "port "
-                                                                          : "starboard ";
-    switch (lever.kind) {
-    case LeverKind::brake:
-        return "the " + side + "wheel";
-    case LeverKind::speed:
-        return "the " + side + "speed lever";
-    case LeverKind::clutch:
-        return "the " + side + "clutch";
-    case LeverKind::stopper:
-        return "the " + side + "stopper";
-    case LeverKind::engine:
-        return "the engine";
-    case LeverKind::rudder:
-        return "the rudder";
-    }
-    return "";
-}
-
-std::string value_words(const Lever& lever, double value) {
-    const double percent = 0.1 * std::round(1000 * std::abs(value));
-    switch (lever.kind) {
-    case LeverKind::brake:
-        return value >= 0.995   ? "hard on"
-               : value <= 0.005 ? "wide open"
-                                : fmt::format("{:.3g} % on", percent);
-    case LeverKind::speed:
-        return percent == 0 ? "at stop" : fmt::format("{:.3g} % {}", percent, value > 0 ? "heave" : "lower");
-    case LeverKind::clutch:
-        return value > 0.5 ? "in gear" : "out of gear";
-    case LeverKind::stopper:
-        return value > 0.5 ? "closed" : "off";
-    case LeverKind::engine:
-        return percent == 0 ? "stopped" : fmt::format("{:.3g} % {}", percent, value > 0 ? "ahead" : "astern");
-    case LeverKind::rudder:
-        return fmt::format("{:.0f} deg to {}", physics::degrees_from_radians(std::abs(value)),
-                           value >= 0 ? "starboard" : "port");
-    }
-    return "";
+    return assess::lever_words(lever, trials.sides().size() > 1);
 }
 
 std::string report_words(const exercise::ReportMade& report) {

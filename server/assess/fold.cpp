@@ -1,5 +1,6 @@
 #include "server/assess/fold.hpp"
 
+#include "server/assess/aids.hpp"
 #include "server/assess/bridge.hpp"
 #include "server/assess/chance.hpp"
 #include "server/assess/marks.hpp"
@@ -363,6 +364,7 @@ void hear(const Lesson& lesson, State& state, const exercise::Order& order, int 
         return;
     }
     if (const auto* answer = std::get_if<exercise::AnswerGiven>(&order)) {
+        if (const auto aid = read_aid(*answer)) return take_aid(lesson, state, *aid);
         for (std::size_t k = 0; k < lesson.criteria.size(); ++k)
             if (lesson.criteria[k].id == answer->question)
                 judge_answer(lesson.criteria[k], state.marks[k], *answer, state, lesson);

@@ -201,6 +201,7 @@ struct Lesson {
     std::string briefing;                   ///< that every trainee reads
     std::array<std::string, 2> briefings{}; ///< beside it, that one seat alone reads: forecastle, bridge
     bool practice = false; ///< this attempt is for practice: it has the hints, and is no test of competence
+    bool ghost = true;     ///< for practice, the model's hands may be shown beside the trainee's (aids.hpp)
     bool bridge_manned = false;
     int side = 0;
     bool two_sides = false;            ///< the exercise has two windlasses

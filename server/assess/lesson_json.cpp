@@ -40,6 +40,7 @@ public:
             for (std::size_t seat = 0; seat < kSeats.size(); ++seat)
                 lesson_.briefings.at(seat) = json_.at("briefings").value(kSeats.at(seat), "");
         lesson_.practice = json_.value(kPractice, false);
+        lesson_.ghost = json_.value("ghost", true);
         lesson_.bridge_manned = json_.value("bridge", "lesson") == "manned";
         lesson_.side = side(json_, "/lesson", sides_.empty() ? 0 : sides_.front());
         lesson_.two_sides = sides_.size() > 1;

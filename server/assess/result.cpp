@@ -1,5 +1,6 @@
 #include "server/assess/result.hpp"
 
+#include "server/assess/aids.hpp"
 #include "server/assess/assessor.hpp"
 #include "server/assess/bridge.hpp"
 #include "server/assess/marks.hpp"
@@ -212,6 +213,7 @@ std::vector<OrderDoneResult> orders_done(const State& state) {
     return all;
 }
 
+/// The lesson's own, and what the seats have asked for besides.
 std::vector<HintResult> hints_given(const Lesson& lesson, const State& state) {
     std::vector<HintResult> all;
     for (std::size_t k = 0; k < lesson.hints.size(); ++k) {
@@ -225,7 +227,16 @@ std::vector<HintResult> hints_given(const Lesson& lesson, const State& state) {
                        .forecastle = hint.forecastle,
                        .text = hint.say});
     }
+    for (const AidTaken& aid : state.aids)
+        all.push_back({.tick = wire_tick(aid.tick),
+                       .id = aid.kind == AidKind::ghost ? "ghost" : "asked for",
+                       .criterion = aid.lever < 0 || aid.criterion < 0
+                                        ? ""
+                                        : lesson.criteria[static_cast<std::size_t>(aid.criterion)].id,
+                       .forecastle = aid.forecastle,
+                       .text = told_words(aid, lesson.two_sides)});
     std::ranges::stable_sort(all, {}, &HintResult::tick);
+    if (all.size() > kMostAids) all.resize(kMostAids);
     return all;
 }
 
@@ -259,6 +270,18 @@ const char* outcome_name(Outcome outcome) {
         break;
     }
     return "";
+}
+
+std::optional<bool> verdict(const Lesson& lesson, const State& state, std::size_t criterion, int milli) {
+    const Mark& mark = state.marks[criterion];
+    const CriterionKind kind = lesson.criteria[criterion].kind;
+    const bool in_play = mark.state != CriterionState::not_in_play;
+    if (mark.decided >= 0 || state.ending != Ending::none) return in_play && mark.milli >= milli;
+    // These only fall; an order's mark counts what may still be earned.
+    const bool falls = kind == CriterionKind::limit || kind == CriterionKind::prohibited ||
+                       (kind == CriterionKind::order && milli == 1000);
+    if (falls && in_play && mark.milli < milli) return false;
+    return std::nullopt;
 }
 
 Result result(const Lesson& lesson, const State& state, int tick_rate) {

@@ -80,6 +80,9 @@ const char* outcome_name(Outcome outcome);
 /// tick_rate: Hz.
 Result result(const Lesson& lesson, const State& state, int tick_rate);
 
+/// Whether a mark can still come to be `milli`, or is; nothing: that is open.
+std::optional<bool> verdict(const Lesson& lesson, const State& state, std::size_t criterion, int milli);
+
 /// Why the mark is what it is: "0:41 worst 6.9 m/s, at most 5.5; 3.2 s beyond: 20 of 100 lost".
 std::string reason(const Lesson& lesson, const State& state, std::size_t criterion, int tick_rate);
 

@@ -1,5 +1,7 @@
 #include "server/assess/state.hpp"
 
+#include "server/assess/lever.hpp"
+
 namespace windlass::assess {
 
 using exercise::last_of;
@@ -47,7 +49,8 @@ template <class Visitor, physics::StateOf<State> Self>
 void visit_state(Visitor& v, Self& self) {
     auto& [begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up, seed,
            question, heard_at, spoke_at, told, confirmed, events, reports, moments, orders, faults,
-           fault_since, marks, held, hints, heard, judged, growth, questions] = self;
+           fault_since, marks, held, hints, heard, judged, growth, questions, aids, ghost_on, hint_asked] =
+        self;
     WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up,
                    seed, question, heard_at, spoke_at, confirmed);
     for (auto& shackles : told)
@@ -118,6 +121,19 @@ void visit_state(Visitor& v, Self& self) {
         WINDLASS_STATE(v, asked_at, open, truth, right, value, choice);
         v.whole({"answer"}, answer);
     }
+    v.length({"aids"}, aids, kMostAids);
+    for (auto& aid : aids) {
+        auto& [taken, kind, forecastle, criterion, lever, side, value] = aid;
+        WINDLASS_STATE(v, taken, forecastle, criterion, lever, side, value);
+        v.whole({"kind"}, kind);
+        v.within({"criterion"}, criterion, -1, static_cast<int>(marks.size()) - 1);
+        v.within({"lever"}, lever, -1, static_cast<int>(last_of(LeverKind{})));
+        v.within({"side"}, side, 0, 1);
+    }
+    for (auto& on : ghost_on)
+        v.field({"ghost_on"}, on);
+    for (auto& asked_at : hint_asked)
+        v.field({"hint_asked"}, asked_at);
 }
 WINDLASS_STATE_LISTED(State);
 

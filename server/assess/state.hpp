@@ -109,6 +109,28 @@ struct QuestionCourse {
     int choice = 0;   ///< choice: the same
 };
 
+/// What a seat may have beside the lesson's own hints, in practice (aids.hpp).
+enum class AidKind {
+    ghost, ///< the model's hands shown over its own levers
+    hint,  ///< asked for
+    told   ///< the hint that was searched for
+};
+constexpr AidKind last_of(AidKind) {
+    return AidKind::told;
+}
+
+/// One that it had, for the record.
+struct AidTaken {
+    std::int64_t tick = -1;
+    AidKind kind = AidKind::ghost; ///< ghost, or told
+    bool forecastle = true;        ///< who; false: the bridge
+    int criterion = -1;            ///< told: place of what it keeps; -1: nothing was being lost
+    int lever = -1;                ///< told: LeverKind; -1: none was known
+    int side = 0;                  ///< told: of that lever
+    double value = 0;              ///< told: where it was to go
+};
+inline constexpr std::size_t kMostAids = 32; ///< the first of them; of the IDL
+
 inline constexpr std::size_t kMostJudged = 256; ///< reports, the first of them; of the IDL
 
 enum class Ending { none, good, time, abort, instructor };
@@ -143,6 +165,9 @@ struct State {
     std::vector<JudgedReport> judged; ///< by when they were judged
     std::array<Growth, 2> growth{};   ///< port, starboard
     std::vector<QuestionCourse> questions;
+    std::vector<AidTaken> aids;
+    std::array<bool, 2> ghost_on{};                 ///< forecastle, bridge
+    std::array<std::int64_t, 2> hint_asked{-1, -1}; ///< tick at which a hint that it waits for was asked for
 };
 
 /// A lesson that has not begun.

@@ -19,6 +19,7 @@ constexpr std::size_t kEvents = 4096;
 constexpr std::size_t kInstructions = 256; // a lesson has 32 hints, and some dozens of pieces of briefings
 constexpr std::size_t kQuestions = 16;
 constexpr std::size_t kPredictions = 4;
+constexpr std::size_t kGhosts = 8; // of two windlasses, at 10 Hz
 constexpr std::size_t kAlerts = 256;
 constexpr std::size_t kBridgeOrders = 256; // as many as an exercise keeps
 constexpr std::size_t kCheckpoints = 4;
@@ -77,6 +78,8 @@ Writers::Writers(wire::Participant& participant)
       forecastle(participant, wire::topics::forecastle_view),
       camera(participant, wire::topics::forecastle_camera),
       bridge(participant, wire::topics::bridge_view),
+      forecastle_ghost(participant, wire::topics::forecastle_ghost),
+      bridge_ghost(participant, wire::topics::bridge_ghost),
       seat_event(participant, wire::topics::seat_event),
       forecastle_instruction(participant, wire::topics::forecastle_instruction),
       bridge_instruction(participant, wire::topics::bridge_instruction),
@@ -116,6 +119,8 @@ Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
       assessments_(kAssessments),
       seat_assessments_(kAssessments),
       predictions_(kPredictions),
+      forecastle_ghosts_(kGhosts),
+      bridge_ghosts_(kGhosts),
       pool_(pool) {
     pool_.add(*this);
 }
@@ -208,7 +213,10 @@ void Publisher::hand_over(const View& view, SpscRing<Sample>& ring) {
         ++dropped_;
         return;
     }
-    convert(view, *slot);
+    if constexpr (std::is_same_v<View, Sample>)
+        *slot = view;
+    else
+        convert(view, *slot);
     ring.push();
     pool_.ring(*this);
 }
@@ -223,6 +231,14 @@ template void Publisher::offer(const run::OrderView& order);
 template void Publisher::offer(const run::QuestionView& question);
 template void Publisher::offer(const run::PredictionView& prediction);
 template void Publisher::offer(const assess::Result& assessment);
+
+void Publisher::offer(const ForecastleView& ghost) {
+    hand_over(ghost, forecastle_ghosts_);
+}
+
+void Publisher::offer(const BridgeView& ghost) {
+    hand_over(ghost, bridge_ghosts_);
+}
 
 void Publisher::tell_seats(const assess::Result& marks) {
     hand_over(marks, seat_assessments_);
@@ -366,7 +382,9 @@ void Publisher::write_waiting() {
             write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint) ||
             write_oldest(assessments_, writers_.assessment) ||
             write_oldest(seat_assessments_, writers_.seat_assessment) ||
-            write_oldest(predictions_, writers_.prediction))
+            write_oldest(predictions_, writers_.prediction) ||
+            write_oldest(forecastle_ghosts_, writers_.forecastle_ghost) ||
+            write_oldest(bridge_ghosts_, writers_.bridge_ghost))
             continue;
         const Output* output = outputs_.oldest();
         if (output == nullptr) return;

@@ -37,6 +37,8 @@ struct Writers {
     wire::Writer<LightsAndShapes> lights_and_shapes;
     wire::Writer<ForecastleView> forecastle, camera;
     wire::Writer<BridgeView> bridge;
+    wire::Writer<ForecastleView> forecastle_ghost;
+    wire::Writer<BridgeView> bridge_ghost;
     wire::Writer<SeatEvent> seat_event, forecastle_instruction, bridge_instruction;
     wire::Writer<Question> forecastle_question, bridge_question;
     wire::Writer<BridgeOrder> bridge_order;
@@ -83,6 +85,10 @@ public:
     /// The same of an event, and of what a seat notices of it; seen: the picture at it.
     void offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
                const run::RunStatus& run);
+
+    /// What the seats are shown of the model's hands, made by ghost.hpp. Allocates nothing once a few were.
+    void offer(const ForecastleView& ghost);
+    void offer(const BridgeView& ghost);
 
     /// What came of the lesson, for the seats to read; and that it has not come to its end (again), where
     /// they were told before.
@@ -174,6 +180,8 @@ private:
     SpscRing<OrderTaken> orders_;
     SpscRing<Assessment> assessments_, seat_assessments_;
     SpscRing<Prediction> predictions_;
+    SpscRing<ForecastleView> forecastle_ghosts_;
+    SpscRing<BridgeView> bridge_ghosts_;
     std::atomic<std::uint64_t> lost_{0}; // writes that DDS refused
 
     // Of the thread that writes: samples that keep their memory

@@ -48,16 +48,19 @@ HostedExercise::HostedExercise(const wire::Participant& member, HostThreads& thr
       kept_(threads.keeper != nullptr ? threads.keeper->keep(id_, exercise::definition_hash(def)) : nullptr),
       lookout_(threads.lookout),
       outlook_(lookout_.add()),
+      companion_(std::make_shared<Companion>(session_.model_hands())),
       pacer_(session_.dt(), session_.status().time_scale, Clock::now()),
       scale_(session_.status().time_scale),
       measured_since_(start_),
       shown_at_(start_ - 1h) {
+    lookout_.add(companion_);
     prepare();
     measure(start_, start_);
 }
 
 HostedExercise::~HostedExercise() {
     outlook_->close();
+    companion_->close();
     lookout_.call();
     stop_keeping(false);
 }
@@ -77,8 +80,15 @@ void HostedExercise::keep() {
 
 void HostedExercise::look_ahead(Time now) {
     const auto tell = [this](const run::PredictionView& prediction) { publisher_.offer(prediction); };
+    const auto show = [this](const dds::Ghost& hands, bool forecastle) {
+        if (!forecastle) return publisher_.offer(hands.bridge);
+        for (const ForecastleView& view : hands.forecastle)
+            publisher_.offer(view);
+    };
     try {
-        if (outlook_->look(session_, now, tell)) lookout_.call();
+        const bool ahead = outlook_->look(session_, now, tell);
+        const bool beside = companion_->look(session_, now, show);
+        if (ahead || beside) lookout_.call();
     } catch (const std::bad_alloc&) { // there is none, then, and the exercise goes on
     }
 }

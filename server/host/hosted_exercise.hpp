@@ -3,6 +3,7 @@
 
 #include "server/dds/command_readers.hpp"
 #include "server/dds/publisher.hpp"
+#include "server/host/companion.hpp"
 #include "server/host/host_threads.hpp"
 #include "server/host/pacer.hpp"
 #include "server/run/session.hpp"
@@ -75,6 +76,7 @@ private:
     std::shared_ptr<keep::KeptExercise> kept_; // none: it is not kept
     Lookout& lookout_;
     const std::shared_ptr<Outlook> outlook_;
+    const std::shared_ptr<Companion> companion_;
     Pacer pacer_;
     run::Inbox inbox_;
     unsigned setups_ = 0;

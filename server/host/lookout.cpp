@@ -5,7 +5,6 @@
 #include <spdlog/spdlog.h>
 
 #include <pthread.h>
-#include <time.h>
 
 #include <algorithm>
 
@@ -15,17 +14,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Until the next exercise has its turn, and somebody is heard who wants an end.
-constexpr auto kTurn = 1ms;
 /// After it the core is free for an instant, in which Linux looks whether somebody waits for the other one.
 constexpr auto kPause = 100us;
-
-/// s of processor time that this thread has had.
-double thread_time() {
-    timespec spent{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
-    return static_cast<double>(spent.tv_sec) + 1e-9 * static_cast<double>(spent.tv_nsec);
-}
 
 /// Whatever the thread that began this one is: it has a core only where nobody else wants it.
 void give_way() {
@@ -134,9 +124,13 @@ Lookout::~Lookout() {
 
 std::shared_ptr<Outlook> Lookout::add() {
     auto outlook = std::make_shared<Outlook>();
-    const std::lock_guard lock(mutex_);
-    outlooks_.push_back(outlook);
+    add(outlook);
     return outlook;
+}
+
+void Lookout::add(std::shared_ptr<IdleWork> work) {
+    const std::lock_guard lock(mutex_);
+    works_.push_back(std::move(work));
 }
 
 void Lookout::call() {
@@ -144,10 +138,10 @@ void Lookout::call() {
     calls_.notify_one();
 }
 
-std::vector<std::shared_ptr<Outlook>> Lookout::outlooks() {
+std::vector<std::shared_ptr<IdleWork>> Lookout::works() {
     const std::lock_guard lock(mutex_);
-    std::erase_if(outlooks_, [](const auto& outlook) { return outlook->closed(); });
-    return outlooks_;
+    std::erase_if(works_, [](const auto& work) { return work->closed(); });
+    return works_;
 }
 
 void Lookout::work() {
@@ -155,8 +149,8 @@ void Lookout::work() {
     while (!stop_) {
         const int calls = calls_;
         bool busy = false;
-        for (const auto& outlook : outlooks()) {
-            if (stop_ || !outlook->go_on()) continue;
+        for (const auto& work : works()) {
+            if (stop_ || !work->go_on()) continue;
             busy = true;
             std::this_thread::sleep_for(kPause);
         }

@@ -1,7 +1,9 @@
 #pragma once
-// The thread that looks a minute ahead, for exercises whose instructor has asked for it: it goes through a
-// branch of each, made of a copy of its state, and has what time all others leave.
+// The thread that has what time all others leave. It looks a minute ahead, for exercises whose instructor has
+// asked for it: it goes through a branch of each, made of a copy of its state. Beside those who practise it
+// has a Companion.
 
+#include "server/host/idle_work.hpp"
 #include "server/run/prediction.hpp"
 #include "server/run/session.hpp"
 
@@ -19,7 +21,7 @@ namespace windlass::host {
 /// One exercise between the thread that ticks it and the lookout: a state goes there, a prediction comes
 /// back. The thread that ticks waits for nothing, and each frees what it allocated itself: a lookout that is
 /// preempted holds up nobody.
-class Outlook {
+class Outlook final : public IdleWork {
 public:
     using Clock = std::chrono::steady_clock;
     using Time = Clock::time_point;
@@ -43,8 +45,8 @@ public:
     // Of the lookout.
 
     /// Goes on a little. False: there is nothing to do.
-    bool go_on();
-    bool closed() const { return closed_; }
+    bool go_on() override;
+    bool closed() const override { return closed_; }
 
 private:
     /// What a prediction is made of: while neither changes it would be the same.
@@ -88,15 +90,17 @@ public:
 
     /// Looks ahead for one more exercise, when it is asked to, until that is closed.
     std::shared_ptr<Outlook> add();
+    /// The same of what else is to be done beside an exercise.
+    void add(std::shared_ptr<IdleWork> work);
     /// There is something to do. From any thread; neither waits nor allocates.
     void call();
 
 private:
     void work();
-    std::vector<std::shared_ptr<Outlook>> outlooks();
+    std::vector<std::shared_ptr<IdleWork>> works();
 
     std::mutex mutex_; // of the list; no thread that ticks asks for it
-    std::vector<std::shared_ptr<Outlook>> outlooks_;
+    std::vector<std::shared_ptr<IdleWork>> works_;
     std::atomic<int> calls_{0};
     std::atomic<bool> stop_{false};
     std::thread thread_; // last: it uses all of the above

@@ -44,6 +44,12 @@ bool perceive_camera(const exercise::Snapshot& from, const exercise::TackleView&
 /// Fills in every field of the view. Takes no memory.
 void perceive_bridge(const exercise::Snapshot& from, const SeatShip& ship, BridgeView& to);
 
+/// Of the model's hands beside a trainee who practises, what that seat's levers and gauges show in their
+/// exercise; every other field is 0.
+void perceive_forecastle_ghost(const exercise::Snapshot& hands, const exercise::TackleView& tackle,
+                               const SeatShip& ship, const SeatAids& aids, ForecastleView& to);
+void perceive_bridge_ghost(const exercise::Snapshot& hands, const SeatShip& ship, BridgeView& to);
+
 /// What everybody sees of the hour and the air: the time to the minute, the visibility in two figures.
 void perceive_daylight(const exercise::Snapshot& from, Daylight& to);
 

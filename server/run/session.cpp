@@ -133,6 +133,7 @@ void Session::set_up() {
     status_.state = RunState::ready;
     checkpoints_.clear();
     take_checkpoint();
+    keep_the_beginning();
     alerts_.rectify(kStopped, -1, tick_, time_);
     log("exercise.ready", fmt::format("{}: {}", def().name, def().title));
     brief();
@@ -142,6 +143,7 @@ void Session::set_up() {
 /// Tells the trainees what their lesson is about, a piece in each event, and whether it is over already.
 void Session::brief() {
     brief_each_seat();
+    tell_aids();
     if (assessor_.lesson() == nullptr) return;
     int number = 0;
     for (std::string& piece : briefing_pieces(*assessor_.lesson()))
@@ -261,6 +263,7 @@ void Session::apply(const exercise::Order& command, const std::string& source) {
                        .number = ++orders_taken_,
                        .source = source,
                        .command = command});
+    keep_for_the_model(command, source);
 }
 
 void Session::carry_out(const RunOrder& order, const ReceivedOrder& from) {

@@ -2,6 +2,7 @@
 // The run of one exercise after another: ready, running, paused, finished or stopped by a fault. Owns the
 // exercise, carries out orders, and keeps the log. Knows neither wall time (it is passed in) nor DDS.
 
+#include "server/assess/aids.hpp"
 #include "server/assess/assessor.hpp"
 #include "server/exercise/exercise.hpp"
 #include "server/run/alert_board.hpp"
@@ -10,6 +11,7 @@
 #include "server/run/lever_ownership.hpp"
 #include "server/run/lever_pickup.hpp"
 #include "server/run/limits.hpp"
+#include "server/run/model_hands.hpp"
 #include "server/run/reading.hpp"
 #include "server/run/refusal_log.hpp"
 #include "server/run/resumption.hpp"
@@ -39,11 +41,16 @@ struct SessionOptions {
     std::function<Reading(const exercise::ExerciseDef&)> prepare;
     /// Throws std::exception when a definition that came with a state is not one that a file could give.
     std::function<void(const exercise::ExerciseDef&)> check;
+    /// The lesson's model hands, to go beside a trainee who practises; none: nobody can be shown them.
+    ModelHandsFrom model_hands{};
     std::uint64_t first_run = 1;         ///< number of the first run; each later one has the next
     std::optional<std::uint64_t> seed{}; ///< of all that is left to chance; nothing: chance itself
     /// What was kept of it when its server was lost; nothing: it was not looked for.
     std::optional<Resumption> resumption{};
 };
+
+/// What a seat may ask for in an attempt for practice: what its event "practice.SEAT" has as its figure.
+enum AidsOffered : unsigned { aid_ghost = 1, aid_ghost_on = 2, aid_hints = 4, aid_hint_wanted = 8 };
 
 class Session {
 public:
@@ -124,6 +131,17 @@ public:
     std::vector<std::uint8_t> state() const;
     /// It stands for a question: the answer makes it go on, or an instructor's start.
     bool held() const { return held_; }
+    /// How the attempt began; nothing: nobody can be shown the model's hands.
+    const Beginning* beginning() const { return beginning_ ? &*beginning_ : nullptr; }
+    const ModelHandsFrom& model_hands() const { return options_.model_hands; }
+    /// A seat has asked for them, and may have them.
+    bool wants_ghost() const;
+    /// The model's hands are to be shown to that seat now.
+    bool shows_ghost(bool forecastle) const;
+    /// A seat waits for a hint: whether it is the forecastle. Nothing: none does.
+    std::optional<bool> hint_wanted() const;
+    /// The hint that was found for it.
+    void tell_hint(const assess::AidWord& told);
     void clear_news();
 
 private:
@@ -158,6 +176,13 @@ private:
     Kept read_state(const std::vector<std::uint8_t>& checkpoint);
     void go_on_from(Kept kept);
     void begin_after_loss();
+    void keep_the_beginning();
+    void keep_for_the_model(const exercise::Order& command, const std::string& source);
+    void forget_for_the_model();
+    bool practises() const;
+    unsigned aids(std::size_t seat) const;
+    void tell_aids();
+    void carry_out_aid(const AnswerOrder& order, const ReceivedOrder& from);
     void assess();
     void tell_hints();
     void tell_when_the_lesson_is_over();
@@ -215,14 +240,16 @@ private:
         int question = -1;
         std::uint64_t run = 0;
     };
-    std::array<Asked, 2> asked_{};      // forecastle, bridge
-    bool held_ = false;                 // paused for a question, and for nothing else
-    bool predicts_ = false;             // an instructor wants it, whatever is run
-    std::array<bool, 2> instructed_{};  // forecastle, bridge: something was told to it alone
-    bool lesson_over_told_ = false;     // to the seats, of this run
-    std::uint64_t orders_taken_ = 0;    // of this run
-    bool outside_watch_circle_ = false; // an alert says so
-    bool model_in_doubt_ = false;       // an alert says so
+    std::array<Asked, 2> asked_{};        // forecastle, bridge
+    bool held_ = false;                   // paused for a question, and for nothing else
+    bool predicts_ = false;               // an instructor wants it, whatever is run
+    std::array<bool, 2> instructed_{};    // forecastle, bridge: something was told to it alone
+    std::array<unsigned, 2> aids_told_{}; // forecastle, bridge: AidsOffered, as last told
+    std::optional<Beginning> beginning_;  // of an attempt for practice
+    bool lesson_over_told_ = false;       // to the seats, of this run
+    std::uint64_t orders_taken_ = 0;      // of this run
+    bool outside_watch_circle_ = false;   // an alert says so
+    bool model_in_doubt_ = false;         // an alert says so
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
     double now_ = 0;         // wall time of the orders being carried out

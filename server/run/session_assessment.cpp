@@ -49,6 +49,7 @@ void Session::tell_when_the_lesson_is_over() {
     if (!assessor_.ended() || lesson_over_told_) return;
     lesson_over_told_ = true;
     log("lesson.over", lesson_over_text(assessor_.state().ending));
+    tell_aids();
 }
 
 bool Session::marks_are_told() const {

@@ -66,6 +66,7 @@ void Session::restore(double time, const std::string& source) {
         Kept kept = read_state(std::prev(later)->data);
         checkpoints_.erase(later, checkpoints_.end()); // what came after did not happen in this branch
         go_on_from(std::move(kept));
+        forget_for_the_model();
     } catch (const exercise::CheckpointError& error) {
         refuse("ExerciseCommand", source, "restore_time", fmt::format("{}", time), error.what());
         return;

@@ -106,6 +106,7 @@ void Session::pass_over_questions(const std::string& source) {
 
 void Session::carry_out(const AnswerOrder& order, const ReceivedOrder& from) {
     const exercise::AnswerGiven& answer = order.answer;
+    if (assess::is_aid(answer.question)) return carry_out_aid(order, from);
     const std::size_t seat = order.of_forecastle ? 0 : 1;
     const auto refused = [&](const char* field, std::string value, std::string allowed) {
         refuse(kTopics.at(seat), from.source, field, std::move(value), std::move(allowed));

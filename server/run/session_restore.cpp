@@ -39,6 +39,7 @@ void Session::carry_out(const StateOrder& order, const ReceivedOrder& from) {
     try {
         Kept brought = read_state(order.checkpoint);
         checkpoints_.clear(); // of another exercise, or another past of this one
+        beginning_.reset();
         go_on_from(std::move(brought));
     } catch (const exercise::CheckpointError& error) {
         refuse("RestoreCommand", from.source, "checkpoint",

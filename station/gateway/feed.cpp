@@ -102,9 +102,10 @@ Feed::Feed(wire::Participant participant, Kind kind, const Topics& topics)
 
 bool Feed::withheld(const wire::TopicInfo& topic) const {
     const std::string_view name = topic.name;
-    return (asked_[0] && name == wire::topics::forecastle_view.name) ||
-           (asked_[1] &&
-            (name == wire::topics::bridge_view.name || name == wire::topics::forecastle_camera.name));
+    return (asked_[0] &&
+            (name == wire::topics::forecastle_view.name || name == wire::topics::forecastle_ghost.name)) ||
+           (asked_[1] && (name == wire::topics::bridge_view.name || name == wire::topics::bridge_ghost.name ||
+                          name == wire::topics::forecastle_camera.name));
 }
 
 void Feed::follow(double time) {

@@ -27,10 +27,11 @@ Topics seat_hears(Seat seat) {
                 &topics::instructor_helm_command};
     if (on_forecastle(seat))
         list.insert(list.end(), {&topics::forecastle_view, &topics::forecastle_instruction,
-                                 &topics::forecastle_question});
+                                 &topics::forecastle_question, &topics::forecastle_ghost});
     if (on_bridge(seat))
-        list.insert(list.end(), {&topics::bridge_view, &topics::bridge_instruction, &topics::bridge_question,
-                                 &topics::forecastle_camera, &topics::chart, &topics::report});
+        list.insert(list.end(),
+                    {&topics::bridge_view, &topics::bridge_instruction, &topics::bridge_question,
+                     &topics::bridge_ghost, &topics::forecastle_camera, &topics::chart, &topics::report});
     return list;
 }
 

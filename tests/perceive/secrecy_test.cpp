@@ -388,6 +388,42 @@ TEST(Secrecy, CameraShowsWindlassAndCableOnDeckAndNothingElse) {
     EXPECT_EQ(found, in_picture);
 }
 
+TEST(Secrecy, GhostHasLeversAndTheSeatsOwnGaugesAndNothingElse) {
+    const std::set<std::string> shown{"snapshot.tick",
+                                      "snapshot.time",
+                                      "tackle.side",
+                                      "ship.velocity",
+                                      "ship.engine",
+                                      "ship.rudder",
+                                      "ship.bow_thruster",
+                                      "ship.stern_thruster",
+                                      "windlass.cable_speed", // as it is seen
+                                      "windlass.brake_position",
+                                      "windlass.speed_lever",
+                                      "windlass.clutch",
+                                      "windlass.stopper_closed",
+                                      "windlass.cable_out_indicated",
+                                      "windlass.cable_speed_indicated",
+                                      "windlass.gypsy_load_indicated"};
+    const auto ghost = [](const Snapshot& s) {
+        ForecastleView forecastle;
+        perceive_forecastle_ghost(s, s.tackle.at(0), some_ship(), {}, forecastle);
+        BridgeView bridge;
+        perceive_bridge_ghost(s, some_ship(), bridge);
+        return bytes(forecastle) + bytes(bridge);
+    };
+    std::set<std::string> found;
+    for (const Field& field : fields()) {
+        if (!field.change) continue;
+        for (const Snapshot& before : {riding(), weighing()}) {
+            Snapshot after = before;
+            field.change(after);
+            if (ghost(after) != ghost(before)) found.insert(field.name);
+        }
+    }
+    EXPECT_EQ(found, shown);
+}
+
 TEST(Secrecy, CameraSmellsNothing) {
     Snapshot s = riding();
     s.tackle[0].windlass.lining_temperature = 500; // it smells

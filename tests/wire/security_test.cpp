@@ -141,13 +141,15 @@ Names with(Names names, std::initializer_list<std::string> more) {
 
 TEST(Security, TraineeHearsWhatItsSeatsAreGivenAndNothingElse) {
     EXPECT_EQ(hears("trainee", "exercise/default"),
-              with(kSeen, {"ForecastleView", "ForecastleInstruction", "ForecastleQuestion", "BridgeView",
-                           "BridgeInstruction", "BridgeQuestion", "ForecastleCamera", "Chart", "Report"}));
-    EXPECT_EQ(hears("forecastle", "exercise/default"),
-              with(kSeen, {"ForecastleView", "ForecastleInstruction", "ForecastleQuestion"}));
+              with(kSeen, {"ForecastleView", "ForecastleInstruction", "ForecastleQuestion", "ForecastleGhost",
+                           "BridgeView", "BridgeInstruction", "BridgeQuestion", "BridgeGhost",
+                           "ForecastleCamera", "Chart", "Report"}));
+    EXPECT_EQ(
+        hears("forecastle", "exercise/default"),
+        with(kSeen, {"ForecastleView", "ForecastleInstruction", "ForecastleQuestion", "ForecastleGhost"}));
     EXPECT_EQ(hears("conning", "exercise/default"),
-              with(kSeen, {"BridgeView", "BridgeInstruction", "BridgeQuestion", "ForecastleCamera", "Chart",
-                           "Report"}));
+              with(kSeen, {"BridgeView", "BridgeInstruction", "BridgeQuestion", "BridgeGhost",
+                           "ForecastleCamera", "Chart", "Report"}));
 }
 
 TEST(Security, TraineeReadsEverythingInADebriefAndNotInAnExercise) {

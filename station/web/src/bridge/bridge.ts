@@ -11,12 +11,14 @@ import { showsTopic } from "../kit/live";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { type ExercisePage, everyFrame, everySecond, openExercisePage } from "../kit/page";
 import { OwnMarks } from "../kit/own_marks";
+import { Practice } from "../kit/practice";
 import { Speech } from "../kit/speech";
 import { ParallelIndex } from "../plan/parallel_index";
 import { PlanView } from "../plan/plan_view";
 import { bridgeEye } from "../surroundings/bridge_eye";
 import { AnchorPlot } from "./anchor_plot";
 import { HelmBar } from "./helm_bar";
+import { ghostFigures } from "./ghost";
 import { HelmHand } from "./helm_hand";
 import { helpDialog } from "./help";
 import { Instruments } from "./instruments";
@@ -74,6 +76,8 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   plan.append(h("button", { class: "plain to-view", type: "button", onclick: () => look(true) }, t("Look out")));
   const orders = new OrderPanel(link, line).element;
   orders.prepend(new HintLine(link, "bridge").element);
+  const practice = new Practice(link, "bridge");
+  orders.prepend(practice.element);
   page.root.classList.add("bridge");
   page.root.append(
     instruments.element,
@@ -102,6 +106,10 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
     telegraph.update(view?.engine);
     wheel.update(view?.rudder);
     thrusters.update(view);
+    const ghost = practice.hands(now);
+    telegraph.showGhost(ghost?.engine);
+    wheel.showGhost(ghost?.rudder);
+    practice.tell(ghost, ghost ? ghostFigures(ghost) : "");
   });
   listenToKeys(helm, {
     F2: () => page.alerts.acknowledgeTopmost(),

@@ -28,6 +28,7 @@ export class Telegraph {
   readonly element: HTMLElement;
   private readonly handle = svg("g", { class: "handle" });
   private readonly bar = svg("rect", { class: "answer", x: kScale, width: 18 });
+  private readonly ghost = svg("path", { class: "ghost", d: "M 0 0 l 16 -8 v 16 z" });
   private readonly words: SVGTextElement[] = [];
   private readonly picture: SVGSVGElement;
   private readonly reads = h("strong", {});
@@ -80,7 +81,9 @@ export class Telegraph {
         svg("line", { class: "tick", x1: kScale, x2: kScale + 24, y1: this.place(share), y2: this.place(share) }),
       ),
       this.handle,
+      this.ghost,
     );
+    this.showGhost(undefined);
     this.element = h(
       "section",
       { class: "panel telegraph-panel", "aria-label": t("engine") },
@@ -111,6 +114,12 @@ export class Telegraph {
     const now = this.place(engine);
     setAttribute(this.bar, "y", Math.min(zero, now).toFixed(1));
     setAttribute(this.bar, "height", Math.max(1, Math.abs(zero - now)).toFixed(1));
+  }
+
+  /** What the model's engine does, -1..1; undefined: they are not shown. */
+  showGhost(engine: number | undefined): void {
+    setAttribute(this.ghost, "display", engine === undefined ? "none" : undefined);
+    setAttribute(this.ghost, "transform", `translate(${kScale + 20} ${this.place(engine ?? 0).toFixed(1)})`);
   }
 
   /** Where a detent lies; ahead is up. */

@@ -23,6 +23,7 @@ export class Wheel {
   private readonly picture: SVGSVGElement;
   private readonly wheel = svg("g", { class: "wheel" });
   private readonly pointer = svg("path", { class: "order", d: `M0 ${kRadius + 2} l-8 15 h16 z` });
+  private readonly ghost = svg("path", { class: "ghost", d: `M0 ${kRadius - 12} l-8 -15 h16 z`, display: "none" });
   private readonly bar = svg("path", { class: "answer" });
   private readonly scale = svg("g", { class: "scale" });
   private readonly reads = h("strong", {});
@@ -52,7 +53,7 @@ export class Wheel {
       svg("circle", { class: "hub", r: 22 }),
       svg("rect", { class: "king", x: -7, y: -90, width: 14, height: 24, rx: 5 }), // marks amidships
     );
-    this.picture.append(this.scale, this.bar, this.pointer, this.wheel);
+    this.picture.append(this.scale, this.bar, this.pointer, this.ghost, this.wheel);
     this.element = h(
       "section",
       { class: "panel wheel-panel", "aria-label": t("helm") },
@@ -86,6 +87,12 @@ export class Wheel {
     setText(this.reads, rudderWords(order));
     setText(this.answer, is);
     if (rudder !== undefined) setAttribute(this.bar, "d", this.sector(0, rudder));
+  }
+
+  /** Where the model's rudder is, rad; undefined: they are not shown. */
+  showGhost(rudder: number | undefined): void {
+    setAttribute(this.ghost, "display", rudder === undefined ? "none" : undefined);
+    setAttribute(this.ghost, "transform", `rotate(${(-degrees(rudder ?? 0) * kSpread).toFixed(2)})`);
   }
 
   /** The scale hangs below the wheel: starboard rudder to the right, as the stern is seen from above. */

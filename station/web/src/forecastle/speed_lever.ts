@@ -1,7 +1,7 @@
 // The windlass's speed lever: follows the finger, springs back to zero. Up heaves, down lowers. Let go with Shift held
 // it is latched, for who has one mouse and two levers: the next touch, x, and whatever takes the hand off releases it.
 
-import { h, setAttribute, setText } from "../kit/dom";
+import { h, setAttribute, setText, setVariable } from "../kit/dom";
 import { figure } from "../kit/units";
 import { t } from "../kit/language";
 
@@ -23,6 +23,7 @@ export class SpeedLever {
   private readonly slot: HTMLElement;
   private readonly knob = h("div", { class: "knob" });
   private readonly real = h("div", { class: "real", "aria-hidden": "true" });
+  private readonly ghost = h("div", { class: "ghost", "aria-hidden": "true", hidden: true });
   private readonly ticks = h("div", { class: "ticks", "aria-hidden": "true" });
   private readonly words = h("output", { class: "figures" });
   private detents: readonly number[] = [];
@@ -34,7 +35,7 @@ export class SpeedLever {
     setAttribute(this.slot, "aria-orientation", "vertical");
     setAttribute(this.slot, "aria-valuemin", "-100");
     setAttribute(this.slot, "aria-valuemax", "100");
-    this.slot.append(this.ticks, this.real, this.knob);
+    this.slot.append(this.ticks, this.real, this.ghost, this.knob);
     this.element = h(
       "section",
       { class: "control speed", "aria-label": t("speed lever") },
@@ -76,6 +77,12 @@ export class SpeedLever {
     setAttribute(this.slot, "aria-valuenow", String(Math.round(100 * set)));
     setAttribute(this.slot, "aria-valuetext", words);
     setAttribute(this.slot, "aria-disabled", movable ? undefined : "true");
+  }
+
+  /** Where the model's hands have it, -1..1; undefined: they are not shown. */
+  showGhost(at: number | undefined): void {
+    this.ghost.hidden = at === undefined;
+    setVariable(this.ghost, "--ghost", (at ?? 0).toFixed(3));
   }
 
   private listen(): void {

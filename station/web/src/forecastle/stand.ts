@@ -6,9 +6,11 @@ import { ownerWords, takenWords } from "../kit/authority";
 import { h, setAttribute, setShown, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { sideWord } from "../kit/units";
+import { Practice } from "../kit/practice";
 import { Clutch } from "./clutch";
 import { EmergencyStop } from "./emergency_stop";
 import { Gauges } from "./gauges";
+import { ghostFigures } from "./ghost";
 import { cableSpeed } from "./heard";
 import { LeverHand } from "./levers";
 import { kPoleDetents, kSteplessDetents, SpeedLever } from "./speed_lever";
@@ -30,6 +32,7 @@ export class Stand {
   readonly clutch: Clutch;
   readonly stopper: Stopper;
   readonly stop: EmergencyStop;
+  readonly practice: Practice<"forecastle">;
   private side_ = 0;
   private readonly sides = h("div", { class: "sides", role: "group", "aria-label": t("windlass in hand") });
   private readonly owner = h("strong", { class: "owner", role: "status" });
@@ -56,6 +59,7 @@ export class Stand {
     this.clutch = new Clutch(() => this.hand.put({ clutch_in: !this.hand.levers()?.clutch_in }));
     this.stopper = new Stopper(() => this.hand.put({ stopper_closed: !this.hand.levers()?.stopper_closed }));
     this.stop = new EmergencyStop((on) => this.hand.put({ emergency_stop: on }));
+    this.practice = new Practice(link, "forecastle");
     this.head = h(
       "div",
       { class: "row head" },
@@ -67,7 +71,7 @@ export class Stand {
       "section",
       { class: "stand panel", "aria-label": t("stand") },
       this.head,
-      this.gauges.element,
+      h("div", {}, this.practice.element, this.gauges.element),
       this.notice,
       h(
         "div",
@@ -153,6 +157,10 @@ export class Stand {
     this.clutch.show(levers, view, turns, movable);
     this.stopper.show(levers, view, movable);
     this.stop.show(levers, view, movable);
+    const ghost = this.practice.hands(now, this.side_);
+    this.wheel.showGhost(ghost?.brake_position);
+    this.speed.showGhost(ghost?.speed_lever);
+    this.practice.tell(ghost, ghost ? ghostFigures(ghost) : "");
   }
 
   /** Every hand off what springs back. */

@@ -32,6 +32,7 @@ export class HandWheel {
   private readonly wheel: HTMLElement;
   private readonly rim: SVGGElement;
   private readonly pointer: SVGGElement;
+  private readonly ghost = svg("path", { class: "ghost", d: "M -9 -99 L 9 -99 L 0 -78 Z" });
   private readonly picture: SVGSVGElement;
   private readonly turns = h("strong", {});
   private readonly state = h("span", {});
@@ -41,8 +42,15 @@ export class HandWheel {
   constructor(private readonly hand: WheelHand) {
     this.rim = svg("g", { class: "rim" });
     this.pointer = svg("g", { class: "pointer" });
-    this.picture = svg("svg", { viewBox: "-100 -100 200 200", "aria-hidden": "true" }, this.rim, this.pointer);
+    this.picture = svg(
+      "svg",
+      { viewBox: "-100 -100 200 200", "aria-hidden": "true" },
+      this.rim,
+      this.pointer,
+      this.ghost,
+    );
     this.draw();
+    this.showGhost(undefined);
     this.wheel = h("div", { class: "wheel", role: "slider", tabindex: 0, "aria-label": t("brake hand-wheel") });
     setAttribute(this.wheel, "aria-valuemin", "0");
     setAttribute(this.wheel, "aria-valuemax", "100");
@@ -80,6 +88,12 @@ export class HandWheel {
     setAttribute(this.wheel, "aria-valuetext", `${t("brake|hand-wheel")} ${turnsText(real)}, ${state}${moving}`);
     setAttribute(this.wheel, "aria-disabled", movable ? undefined : "true");
     for (const button of this.buttons) button.disabled = !movable;
+  }
+
+  /** Where the model's hands have turned its mark to, 0..1 of the way; undefined: they are not shown. */
+  showGhost(share: number | undefined): void {
+    setAttribute(this.ghost, "display", share === undefined ? "none" : undefined);
+    setAttribute(this.ghost, "transform", `rotate(${((share ?? 0) * kWheelTurns * 360).toFixed(1)})`);
   }
 
   private listen(): void {

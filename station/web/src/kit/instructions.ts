@@ -3,9 +3,10 @@
 
 import type { Connection } from "../wire/connection";
 import type { SeatEvent } from "../wire/generated";
-import { h, setText } from "./dom";
+import { h, setAttribute, setText } from "./dom";
 import { t } from "./language";
 import { clock } from "./units";
+import { eventText } from "./words";
 
 export type OwnSeat = "forecastle" | "bridge";
 const kShown = 60; // s of exercise time for which a hint stands there
@@ -55,6 +56,8 @@ export class HintLine {
     this.element.hidden = ago > kShown;
     if (!this.newest || this.element.hidden) return;
     setText(this.head, `${t("{time} hint:", { time: clock(this.newest.time) })} `);
-    setText(this.text, this.newest.text);
+    const text = eventText(this.newest);
+    setText(this.text, text);
+    setAttribute(this.text, "lang", text === this.newest.text ? "en" : undefined); // a lesson's own are its author's
   }
 }

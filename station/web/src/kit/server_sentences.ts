@@ -9,6 +9,24 @@ const ofOrders = enumerations.BridgeOrderState.oneOf.map(({ const: state, said }
   [`order {0} ${state === "given" ? state : said}: {order}`],
 ]);
 
+/** A hint that was searched for. */
+const hints = ["", "port ", "starboard "].flatMap((side) => [
+  `The ${side}wheel hard on now.`,
+  `The ${side}wheel wide open now.`,
+  `The ${side}wheel {0} % on now.`,
+  `The ${side}speed lever at stop now.`,
+  `The ${side}speed lever {0} % heave now.`,
+  `The ${side}speed lever {0} % lower now.`,
+  `The ${side}clutch in gear now.`,
+  `The ${side}clutch out of gear now.`,
+  `The ${side}stopper closed now.`,
+  `The ${side}stopper off now.`,
+]);
+const noHint = [
+  "Nothing is lost in the next minute if everything stays as it is.",
+  "No single lever is known that would keep what is being lost.",
+];
+
 export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   ...(Object.fromEntries(ofOrders) as Record<string, string[]>),
   "cable.shackle": ["{0} shackle out, heaving", "{0} shackles out, heaving", "{0} shackle out", "{0} shackles out"],
@@ -32,6 +50,15 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   "exercise.resumed": ["exercise goes on", "exercise resumed by {name}"],
   "exercise.started": ["exercise started by {name}"],
   "exercise.time_scale": ["time scale {0} by {name}"],
+  "hint.bridge": [
+    "The engine stopped now.",
+    "The engine {0} % ahead now.",
+    "The engine {0} % astern now.",
+    "The rudder {0} deg to starboard now.",
+    "The rudder {0} deg to port now.",
+    ...noHint,
+  ],
+  "hint.forecastle": [...hints, ...noHint],
   "levers.lost": [
     "{name} has let go and nobody has the {0}: {1}",
     "{name} is no longer heard and nobody has the {0}: {1}",

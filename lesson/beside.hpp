@@ -1,0 +1,15 @@
+#pragma once
+// The lesson's model hands beside a trainee who practises: as the recorder's ghost, and tick by tick.
+
+#include "server/run/model_hands.hpp"
+
+#include <filesystem>
+
+namespace windlass::lesson {
+
+/// The model run of the lesson in that state, with what the attempt drew. config: folder with its scripts.
+/// not there or looks at more than a seat; exercise::CheckpointError.
+std::unique_ptr<run::ModelHands> model_beside(const std::vector<std::uint8_t>& beginning,
+                                              const std::filesystem::path& config);
+
+} // namespace windlass::lesson
