@@ -21,6 +21,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <optional>
 
 namespace {
 
@@ -188,7 +189,12 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
     constexpr std::chrono::seconds kHangs{10}; // a beat that takes so long does not end
     const std::string name = server_name(options);
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
-    host::ServerGroup servers([&] { return join(options); }, name, threads, exercise_source(options), keeper);
+    const auto join_in_time = [&] { // also where exercises are being opened
+        const host::SchedulingKept before;
+        if (options.realtime) host::enter_realtime();
+        return join(options);
+    };
+    host::ServerGroup servers(join_in_time, name, threads, exercise_source(options), keeper);
     const auto name_taken = [&](const std::string& taken) {
         spdlog::error(
             "server {} ends: another server of this name is in DDS domain {}; choose another --name "
@@ -197,6 +203,8 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
         return kNameTaken;
     };
     if (const auto taken = servers.name_taken(); !taken.empty()) return name_taken(taken);
+    std::optional<host::SchedulingKept> opening(std::in_place);
+    host::leave_realtime(); // seconds of work, which ticks of other workers do not wait for
     for (std::size_t i = 0; i < defs.size(); ++i) {
         const std::string& id = options.exercises[i].id;
         if (const auto other = servers.server_of(id); !other.empty()) {
@@ -215,6 +223,7 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
         spdlog::info("exercise {} in DDS domain {}, partition exercise/{}", defs[i].name, options.domain, id);
     }
     open_created(options, keeper, servers);
+    opening.reset();
     spdlog::info("server {} in the classroom of DDS domain {}", name, options.domain);
     while (stop_signal == 0 && !servers.all_ended()) {
         servers.serve();

@@ -1,8 +1,7 @@
 #include "server/host/read_aside.hpp"
 
 #include "server/exercise/prelude.hpp"
-
-#include <pthread.h>
+#include "server/host/realtime.hpp"
 
 #include <atomic>
 #include <optional>
@@ -17,12 +16,6 @@ constexpr int kMaxReading = 4;
 
 std::atomic<int> reading = 0;
 
-/// Reads in what time the exercises leave, whatever the thread that asked for it is.
-void leave_realtime() {
-    const sched_param ordinary{};
-    pthread_setschedparam(pthread_self(), SCHED_OTHER, &ordinary);
-}
-
 } // namespace
 
 run::Reading read_aside(std::function<exercise::ExerciseDef()> read) {
@@ -36,7 +29,7 @@ run::Reading read_aside(std::function<exercise::ExerciseDef()> read) {
         return begun;
     }
     std::thread([read = std::move(read), promise = std::move(promise), in_hand]() mutable {
-        leave_realtime();
+        leave_realtime(); // whatever the thread that asked for it is
         std::optional<exercise::ExerciseDef> def;
         try {
             def = read();

@@ -1,6 +1,7 @@
 #include "server/host/task_pool.hpp"
 
 #include "common/thread_name.hpp"
+#include "server/host/realtime.hpp"
 
 #include <algorithm>
 #include <ratio>
@@ -117,6 +118,7 @@ void TaskPool::do_first(Queue& queue, std::unique_lock<std::mutex>& lock) {
 }
 
 void TaskPool::work() {
+    go_before_others();
     std::unique_lock lock(mutex_);
     Task::Time paused{};
     const auto pause = [&] {
