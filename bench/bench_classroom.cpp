@@ -25,6 +25,7 @@ struct Options {
     double swell = 0;               // m, about that
     int domain = 98;
     int threads = 1;
+    int workers = 0; // processes that share the exercises; 0: one, and no supervisor
     std::string hear = "truth";
     bool realtime = false;
     bool predict = false; // a minute ahead, for each exercise
@@ -150,6 +151,28 @@ double since(Clock::time_point then) {
     return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
+/// Of all processes that the server is.
+struct Processes {
+    std::vector<pid_t> all;
+
+    explicit Processes(const rigs::ServerProcess& server) : all(bench::family_of(server.pid())) {}
+    template <class Of>
+    auto sum(Of of) const {
+        decltype(of(pid_t())) sum = 0;
+        for (const pid_t pid : all)
+            sum += of(pid);
+        return sum;
+    }
+    double cpu() const { return sum(bench::cpu_of); }
+    std::map<std::string, double> cpu_by_thread() const {
+        std::map<std::string, double> sum;
+        for (const pid_t pid : all)
+            for (const auto& [name, seconds] : bench::cpu_by_thread(pid))
+                sum[name] += seconds;
+        return sum;
+    }
+};
+
 /// Where the server's log is now; what is said from here on may begin with what was before.
 std::size_t said_by(const rigs::ServerProcess& server) {
     const std::string text = server.text();
@@ -163,6 +186,8 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
                                        "--config-root", WINDLASS_CONFIG_DIR,
                                        "--log-level",   "debug"};
     if (options.realtime) arguments.emplace_back("--realtime");
+    if (options.workers > 0)
+        arguments.insert(arguments.end(), {"--workers", std::to_string(options.workers)});
     for (int i = 0; i < count; ++i)
         arguments.insert(arguments.end(),
                          {"--exercise", exercise.string(), "--partition", fmt::format("e{}", i)});
@@ -177,15 +202,16 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
     if (options.predict) listener.predict();
     wait(6); // what is first met is slow; and of the lateness there is a line every 5 s
     const std::size_t said = said_by(server);
-    const auto from = bench::cpu_by_thread(server.pid());
-    const double cpu_from = bench::cpu_of(server.pid());
+    const Processes processes(server);
+    const auto from = processes.cpu_by_thread();
+    const double cpu_from = processes.cpu();
     const auto begin = Clock::now();
     const Sum before = sum(listener.exercises());
     const std::uint64_t samples = listener.samples(), predictions = listener.predictions();
     wait(options.seconds);
     const double elapsed = since(begin);
-    const double cpu = (bench::cpu_of(server.pid()) - cpu_from) / elapsed;
-    const auto threads = bench::cpu_by_thread(server.pid());
+    const double cpu = (processes.cpu() - cpu_from) / elapsed;
+    const auto threads = processes.cpu_by_thread();
     const auto per_exercise = [&](const char* name) { // ms a second
         const auto was = from.find(name), is = threads.find(name);
         return was == from.end() || is == threads.end() ? 0
@@ -196,12 +222,13 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
     const Late lateness = late(server.text().substr(said));
     fmt::print(
         "| {} | {:.1f} % | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} "
-        "% | {:.1f} | {:.0f} | {:.1f} |",
+        "% | {:.1f} | {:.0f} | {:.1f} | {:.0f} | {} |",
         count, 100 * cpu, 1000 * cpu / count, per_exercise("tick"), per_exercise("publish"),
         per_exercise("dds"), lateness.half, lateness.most, lateness.all, after.slowest,
         100 * static_cast<double>(after.overruns - before.overruns) / ticks, heard,
         static_cast<double>(listener.samples() - samples) / elapsed / count,
-        bench::memory_of(server.pid()) / count);
+        processes.sum(bench::memory_of) / count, processes.sum(bench::share_of_memory),
+        processes.sum([&](pid_t pid) { return bench::participants_of(pid, options.domain); }));
     if (options.predict)
         fmt::print(" {:.1f} | {:.2f} |", per_exercise("lookout"),
                    static_cast<double>(listener.predictions() - predictions) / elapsed / count);
@@ -221,8 +248,12 @@ int main(int argc, char** argv) {
     app.add_option("--exercises", options.exercises, "how many, one row each")
         ->check(CLI::Range(1, kMost))
         ->capture_default_str();
-    app.add_option("--threads", options.threads, "of the server, that tick exercises")
+    app.add_option("--threads", options.threads, "of each process, that tick exercises")
         ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    app.add_option("--workers", options.workers,
+                   "processes that share the exercises, with a supervisor; 0: one")
+        ->check(CLI::Range(0, 32))
         ->capture_default_str();
     app.add_flag("--realtime", options.realtime, "the server under SCHED_FIFO, which needs the right to");
     app.add_flag("--predict", options.predict, "each exercise looks a minute ahead, again and again");
@@ -255,7 +286,8 @@ int main(int argc, char** argv) {
         } else {
             fmt::print("| exercises | server's CPU, of a core | ms/s each | ticks | publishing | DDS | half "
                        "late, ms | 99 % | all | slowest, x real time | overruns | heard after, s | samples/s "
-                       "each | MB each |{}\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|{}\n",
+                       "each | MB each | MB in all (PSS) | DDS participants "
+                       "|{}\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|{}\n",
                        options.predict ? " ahead, ms/s each | predictions/s each |" : "",
                        options.predict ? "---|---|" : "");
             for (const int count : options.exercises)

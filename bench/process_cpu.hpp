@@ -7,8 +7,10 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace windlass::bench {
 
@@ -33,6 +35,58 @@ inline double memory_of(pid_t pid) {
     }
     file >> kilobytes;
     return kilobytes / 1024;
+}
+
+/// Its share of what it has in memory: what several processes have together counts once, MB.
+inline double share_of_memory(pid_t pid) {
+    std::ifstream file("/proc/" + std::to_string(pid) + "/smaps_rollup");
+    double kilobytes = 0;
+    for (std::string word; file >> word && word != "Pss:";) {
+    }
+    file >> kilobytes;
+    return kilobytes / 1024;
+}
+
+/// A process and those that it has started, all the way down.
+inline std::vector<pid_t> family_of(pid_t pid) {
+    std::vector<pid_t> all{pid};
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const std::string name = std::to_string(all[k]);
+        std::ifstream children("/proc/" + name + "/task/" + name + "/children");
+        for (pid_t child = 0; children >> child;)
+            all.push_back(child);
+    }
+    return all;
+}
+
+/// DDS participants of a process in that domain: each has a port of its own for discovery
+/// (DDSI-RTPS 9.6.1.1).
+inline int participants_of(pid_t pid, int domain) {
+    std::set<std::string> sockets;
+    std::error_code gone;
+    for (const auto& file :
+         std::filesystem::directory_iterator("/proc/" + std::to_string(pid) + "/fd", gone)) {
+        const std::string name = std::filesystem::read_symlink(file.path(), gone).string();
+        if (name.starts_with("socket:[")) sockets.insert(name.substr(8, name.size() - 9));
+    }
+    std::ifstream table("/proc/net/udp");
+    std::string line;
+    std::getline(table, line);
+    std::set<unsigned long> ports;
+    while (std::getline(table, line)) {
+        std::istringstream fields(line);
+        std::string number, local, word, inode;
+        fields >> number >> local;
+        for (int i = 3; i <= 10; ++i)
+            fields >> (i == 10 ? inode : word);
+        if (sockets.contains(inode)) ports.insert(std::stoul(local.substr(local.find(':') + 1), nullptr, 16));
+    }
+    int count = 0;
+    for (const unsigned long port : ports) {
+        const long behind = static_cast<long>(port) - (7400 + 250L * domain + 10);
+        count += behind >= 0 && behind < 240 && behind % 2 == 0 ? 1 : 0;
+    }
+    return count;
 }
 
 /// Processor time so far of the threads of a process that have one name, s, by name. Threads that have ended

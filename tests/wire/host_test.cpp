@@ -5,6 +5,7 @@
 #include "server/assess/result.hpp"
 #include "server/exercise/exercise.hpp"
 #include "server/host/classroom.hpp"
+#include "server/host/realtime.hpp"
 #include "tests/recorder/folder.hpp"
 #include "tests/wire/no_memory.hpp"
 
@@ -12,10 +13,13 @@
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <future>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <sstream>
@@ -377,6 +381,52 @@ TEST_F(HostTest, DISABLED_PrintCalmBesideHurried) {
         std::printf(
             "%-10s %5.2f of real time, its ticks %5.1f %% of a core, the latest end of one %5.1f ms\n",
             each.id.c_str(), each.run.time_scale_achieved, 100 * each.load, 1e3 * each.worst_lateness);
+}
+
+// Prints what 63 exercises in real time feel of one that throws at each order, or is hurried, in one process
+// of two threads, by turns with rounds in which nothing happens: docs/failures.md.
+TEST_F(HostTest, DISABLED_PrintNeighboursOfOne) {
+    for (const std::string& refused : enter_realtime())
+        std::printf("not as under --realtime: %s\n", refused.c_str());
+    const wire::Participant member({rigs::own_domain(), "classroom", "host"});
+    HostThreads threads(2);
+    Host host(member, threads);
+    for (int k = 1; k < 64; ++k)
+        host.open("e" + std::to_string(k), ExerciseDef(), options(1, 0));
+    auto throwing = options(1, 0);
+    throwing.check = [](const ExerciseDef&) { throw 1; };
+    const auto open_one = [&] { host.open("one", ExerciseDef(), throwing); };
+    open_one();
+    std::map<std::string, std::vector<double>> late; // ms, the worst of each second of each exercise
+    const auto phase = [&](const std::string& what, const std::function<void()>& ten_times_a_second) {
+        for (int tenth = 0; tenth < 200; ++tenth) {
+            ten_times_a_second();
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            if (tenth % 10 != 9 || tenth < 30) continue; // of what it was before, in the first seconds
+            for (const HostedStatus& each : host.status())
+                if (each.id != "one") late[what].push_back(1e3 * each.worst_lateness);
+        }
+    };
+    for (int round = 0; round < 3; ++round) {
+        phase("nothing happens", [] {});
+        {
+            Client client(member, "one");
+            phase("one throws", [&] { client.order(EXERCISE_RESTORE); });
+        }
+        host.close("one", "it has thrown");
+        host.open("one", ExerciseDef(), options(20, 0));
+        phase("one at x20", [] {});
+        host.close("one", "it was hurried");
+        open_one();
+    }
+    for (auto& [what, all] : late) {
+        std::ranges::sort(all);
+        const auto part = [&](double share) {
+            return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1))];
+        };
+        std::printf("%-16s half %5.2f ms, 99 %% %6.2f ms, all %7.2f ms (%zu seconds of an exercise)\n",
+                    what.c_str(), part(0.5), part(0.99), part(1), all.size());
+    }
 }
 
 } // namespace
