@@ -42,7 +42,8 @@ std::vector<bench::SheeringRow> rows_of(const rigs::AnchoredShip& ship, const st
         if (!line.starts_with(ship.ship + ",")) continue;
         std::ranges::replace(line, ',', ' ');
         std::istringstream fields(line.substr(ship.ship.size()));
-        bench::SheeringRow row{.ship = ship};
+        bench::SheeringRow row;
+        row.ship = ship;
         rigs::Sheering& s = row.found;
         int anchors = 0;
         double over_mean = 0, over_ahead = 0;
