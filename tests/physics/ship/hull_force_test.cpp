@@ -185,8 +185,12 @@ TEST(ShipDynamics, TrimByTheSternWidensHerTurn) {
         ShipDynamics dynamics(ship);
         const EnvironmentDef sea = still_water(200);
         constexpr double kStep = 0.02;
-        while (state.heading < std::numbers::pi)
+        double turned = 0;
+        for (int k = 0; k < 3600 / kStep && turned < std::numbers::pi; ++k) {
             dynamics.step(sea, {.engine = 0.5, .rudder = 0.35}, {}, {}, kStep, state);
+            turned += kStep * state.yaw_rate;
+        }
+        EXPECT_GE(turned, std::numbers::pi) << trim; // in an hour
         return state.x;
     };
     EXPECT_GT(diameter(2.5), 1.1 * diameter(0));
