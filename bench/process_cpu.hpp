@@ -27,24 +27,24 @@ inline double cpu_of(pid_t pid) {
     return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-/// Memory of a process that is its own and there, in no file, MB.
-inline double memory_of(pid_t pid) {
-    std::ifstream file("/proc/" + std::to_string(pid) + "/status");
+/// MB behind a word of a file of /proc.
+inline double megabytes(pid_t pid, const std::string& name, const std::string& behind) {
+    std::ifstream file("/proc/" + std::to_string(pid) + '/' + name);
     double kilobytes = 0;
-    for (std::string word; file >> word && word != "RssAnon:";) {
+    for (std::string word; file >> word && word != behind;) {
     }
     file >> kilobytes;
     return kilobytes / 1024;
 }
 
+/// Memory of a process that is its own and there, in no file, MB.
+inline double memory_of(pid_t pid) {
+    return megabytes(pid, "status", "RssAnon:");
+}
+
 /// Its share of what it has in memory: what several processes have together counts once, MB.
 inline double share_of_memory(pid_t pid) {
-    std::ifstream file("/proc/" + std::to_string(pid) + "/smaps_rollup");
-    double kilobytes = 0;
-    for (std::string word; file >> word && word != "Pss:";) {
-    }
-    file >> kilobytes;
-    return kilobytes / 1024;
+    return megabytes(pid, "smaps_rollup", "Pss:");
 }
 
 /// A process and those that it has started, all the way down.

@@ -33,15 +33,22 @@ void print(std::ostream& table, const bench::SheeringRow& row) {
     table.flush();
 }
 
-/// The rows that an earlier table has of a ship.
-std::vector<bench::SheeringRow> rows_of(const rigs::AnchoredShip& ship, const std::string& file) {
+/// A row of an earlier table, and its line as it stands there.
+struct Earlier {
+    bench::SheeringRow row;
+    std::string line;
+};
+
+/// What that table has of a ship. Throws std::runtime_error when it cannot be read.
+std::vector<Earlier> rows_of(const rigs::AnchoredShip& ship, const std::string& file) {
     std::ifstream table(file);
     if (!table) throw std::runtime_error(file + ": cannot be read");
-    std::vector<bench::SheeringRow> rows;
+    std::vector<Earlier> rows;
     for (std::string line; std::getline(table, line);) {
         if (!line.starts_with(ship.ship + ",")) continue;
-        std::ranges::replace(line, ',', ' ');
-        std::istringstream fields(line.substr(ship.ship.size()));
+        std::string text = line.substr(ship.ship.size());
+        std::ranges::replace(text, ',', ' ');
+        std::istringstream fields(text);
         bench::SheeringRow row;
         row.ship = ship;
         rigs::Sheering& s = row.found;
@@ -52,7 +59,7 @@ std::vector<bench::SheeringRow> rows_of(const rigs::AnchoredShip& ship, const st
             throw std::runtime_error(file + ": not a table of this program: " + line);
         row.underfoot = anchors == 2;
         s.period *= 60, s.mean *= 1e3, s.peak *= 1e3, s.ahead *= 1e3;
-        rows.push_back(row);
+        rows.push_back({row, line});
     }
     return rows;
 }
@@ -70,9 +77,9 @@ void run(const Options& options) {
     for (const rigs::AnchoredShip& ship : rigs::anchored_ships()) {
         if (!options.ships.empty() && std::ranges::find(options.ships, ship.ship) == options.ships.end()) {
             if (options.others.empty()) continue;
-            for (const bench::SheeringRow& row : rows_of(ship, options.others)) {
+            for (const auto& [row, line] : rows_of(ship, options.others)) {
                 rows.push_back(row);
-                print(table, row);
+                table << line << '\n';
             }
             continue;
         }

@@ -46,8 +46,8 @@ constexpr std::array kChanges{
     Change{.what = "no N_v", .source = "no moment of drift at all", .drift_moment = 0},
     Change{.what = "wind on a side that turns", .source = "strips", .strips = true},
     Change{.what = "windage 15 m farther aft", .source = "a longer house", .windage = -15},
-    Change{.what = "100 kN from ahead", .source = "a sea of 2 m of 7 s: WAMIT", .astern = 1e5},
-    Change{.what = "200 kN from ahead", .source = "a sea of 3 m", .astern = 2e5},
+    Change{.what = "100 kN from ahead", .source = "a sea of some 2.5 m from ahead", .astern = 1e5},
+    Change{.what = "200 kN from ahead", .source = "a sea of some 3.5 m from ahead", .astern = 2e5},
 };
 
 struct Yaw {

@@ -1,19 +1,12 @@
 #include "lesson/beside.hpp"
 
 #include "lesson/play_on.hpp"
-#include "server/exercise/checkpoint.hpp"
 
 #include <stdexcept>
 
 namespace windlass::lesson {
 
 namespace {
-
-run::Course course_at(const std::vector<std::uint8_t>& beginning) {
-    assess::Assessor assessor;
-    exercise::Exercise exercise = exercise::read_checkpoint(beginning, {}, &assessor);
-    return {std::move(exercise), std::move(assessor), 0};
-}
 
 std::vector<trainee::Script> scripts_of(const run::Course& course, const std::filesystem::path& config) {
     const assess::Lesson* lesson = course.assessor().lesson();
@@ -28,7 +21,7 @@ std::vector<trainee::Script> scripts_of(const run::Course& course, const std::fi
 class Beside final : public run::ModelHands {
 public:
     Beside(const std::vector<std::uint8_t>& beginning, const std::filesystem::path& config)
-        : course_(course_at(beginning)), hands_(course_, scripts_of(course_, config)) {}
+        : course_(run::course_of(beginning)), hands_(course_, scripts_of(course_, config)) {}
 
     std::uint64_t tick() const override { return course_.exercise().tick(); }
     void take(const exercise::Order& order) override {

@@ -8,7 +8,8 @@
 namespace windlass::lesson {
 
 /// The model run of the lesson in that state, with what the attempt drew. config: folder with its scripts.
-/// not there or looks at more than a seat; exercise::CheckpointError.
+/// Throws std::runtime_error when there is no model run, or when a script of it is not there or looks at more
+/// than a seat sees; exercise::CheckpointError.
 std::unique_ptr<run::ModelHands> model_beside(const std::vector<std::uint8_t>& beginning,
                                               const std::filesystem::path& config);
 

@@ -308,7 +308,7 @@ Should should_of(const std::string& name) {
 
 /// The others differ in how they take the bridge's orders, which a trainee on the bridge gives himself.
 bool is_for_a_bridge(std::string_view hand) {
-    return hand == "idle" || hand == "silent" || hand == "patient";
+    return hand == "idle" || hand == "silent";
 }
 
 } // namespace

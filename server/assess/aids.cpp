@@ -14,7 +14,6 @@ using exercise::AnswerKind;
 
 constexpr std::string_view kAids = "practice/"; // no criterion's code has a stroke in it
 constexpr std::array<std::string_view, 3> kKinds{"ghost", "hint", "told"};
-constexpr std::array<std::string_view, 2> kSeats{"forecastle", "bridge"};
 constexpr std::array<std::string_view, 6> kLevers{"brake", "speed", "clutch", "stopper", "engine", "rudder"};
 constexpr std::array<std::string_view, 2> kSides{"port", "starboard"};
 constexpr std::string_view kNothingLost = "nothing-lost", kNoneKnown = "none-known";
@@ -65,7 +64,7 @@ std::optional<AidWord> read_aid(const AnswerGiven& answer) {
     if (!is_aid(rest)) return std::nullopt;
     rest.remove_prefix(kAids.size());
     const auto kind = place_of(take_part(rest), kKinds);
-    const auto seat = place_of(take_part(rest), kSeats);
+    const auto seat = place_of(take_part(rest), kSeatNames);
     if (!kind || !seat) return std::nullopt;
     AidWord word{.kind = static_cast<AidKind>(*kind), .forecastle = *seat == 0};
     if (word.kind != AidKind::told) {
@@ -86,7 +85,7 @@ std::optional<AidWord> read_aid(const AnswerGiven& answer) {
 AnswerGiven write_aid(const AidWord& word) {
     AnswerGiven answer{.question = std::string(kAids) +
                                    std::string(kKinds.at(static_cast<std::size_t>(word.kind))) + '/' +
-                                   std::string(kSeats.at(word.forecastle ? 0 : 1)),
+                                   std::string(kSeatNames.at(word.forecastle ? 0 : 1)),
                        .kind = AnswerKind::choice,
                        .value = 0,
                        .choice = word.on ? 1 : 0};

@@ -9,10 +9,14 @@
 #include "server/assess/lever.hpp"
 #include "server/assess/state.hpp"
 
+#include <array>
 #include <optional>
 #include <string_view>
 
 namespace windlass::assess {
+
+/// As in such questions: the forecastle's place is 0.
+inline constexpr std::array<std::string_view, 2> kSeatNames{"forecastle", "bridge"};
 
 /// What such an answer says. Its question is "practice/ghost/SEAT" (a choice: 1 on, 0 off),
 /// "practice/hint/SEAT" (a choice), or of the server "practice/told/SEAT/..." and the lever's name (a number:

@@ -42,4 +42,8 @@ private:
     std::vector<exercise::Order> ordered_; // by the lesson, in the last step
 };
 
+/// From a checkpoint of this program's own, which was checked as it came in. Throws
+/// exercise::CheckpointError.
+Course course_of(const std::vector<std::uint8_t>& checkpoint);
+
 } // namespace windlass::run

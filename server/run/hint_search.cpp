@@ -18,12 +18,6 @@ constexpr double kLook = 0.1;  // s between two looks at the marks
 constexpr double kGrid = 0.05; // of a lever's way: as finely as a hand sets one that is told to
 constexpr double kSlow = 0.3;  // of the engine
 
-Course course_of(const std::vector<std::uint8_t>& checkpoint) {
-    assess::Assessor assessor;
-    exercise::Exercise exercise = exercise::read_checkpoint(checkpoint, {}, &assessor);
-    return {std::move(exercise), std::move(assessor), 0};
-}
-
 std::uint64_t ticks(double seconds, const Course& course) {
     return static_cast<std::uint64_t>(std::llround(seconds * course.exercise().def().tick_rate_hz));
 }

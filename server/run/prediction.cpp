@@ -1,19 +1,8 @@
 #include "server/run/prediction.hpp"
 
-#include "server/exercise/checkpoint.hpp"
 #include "server/exercise/picture/published.hpp"
 
 namespace windlass::run {
-
-namespace {
-
-Course course_of(const std::vector<std::uint8_t>& checkpoint) {
-    assess::Assessor assessor;
-    exercise::Exercise exercise = exercise::read_checkpoint(checkpoint, {}, &assessor);
-    return {std::move(exercise), std::move(assessor), 0};
-}
-
-} // namespace
 
 PredictedMoment moment_of(const exercise::Snapshot& seen) {
     PredictedMoment moment{.time = seen.time,

@@ -9,7 +9,6 @@ namespace windlass::run {
 
 namespace {
 
-constexpr std::array<const char*, 2> kSeats{"forecastle", "bridge"};
 constexpr std::array<const char*, 2> kTopics{"ForecastleAnswer", "BridgeAnswer"};
 
 /// In an attempt: whoever has asked so often is to watch the cable.
@@ -37,17 +36,6 @@ bool stays(const exercise::Order& order, const std::string& source) {
 }
 
 } // namespace
-
-bool is_ahead(const assess::State& hands, const assess::State& trainee) {
-    if (hands.changes > trainee.changes) return true;
-    for (std::size_t k = 0; k < hands.faults.size(); ++k)
-        if (hands.faults[k] > trainee.faults[k]) return true;
-    for (std::size_t k = 0; k < hands.orders.size(); ++k) {
-        const assess::OrderCourse &theirs = hands.orders[k], &his = trainee.orders[k];
-        if (theirs.given >= 0 && his.given < 0 && !his.skipped) return true;
-    }
-    return false;
-}
 
 /// As an attempt begins. What is gone on from elsewhere has none: nobody here knows how it began.
 void Session::keep_the_beginning() {
@@ -90,7 +78,8 @@ void Session::tell_aids() {
     for (std::size_t seat = 0; seat < kCodes.size(); ++seat) {
         const unsigned now = aids(seat);
         if (std::exchange(aids_told_.at(seat), now) == now) continue;
-        log(kCodes.at(seat), fmt::format("for practice, {}: {}", kSeats.at(seat), words_of(now)), -1, now);
+        log(kCodes.at(seat), fmt::format("for practice, {}: {}", assess::kSeatNames.at(seat), words_of(now)),
+            -1, now);
     }
 }
 
@@ -103,7 +92,7 @@ void Session::carry_out_aid(const AnswerOrder& order, const ReceivedOrder& from)
     const auto word = assess::read_aid(order.answer);
     if (!word || word->kind == assess::AidKind::told || word->forecastle != order.of_forecastle)
         return refused(fmt::format("\"practice/ghost/{0}\" or \"practice/hint/{0}\", with choice 0 or 1",
-                                   kSeats.at(seat)));
+                                   assess::kSeatNames.at(seat)));
     const unsigned now = aids(seat);
     if (!practises()) return refused("none: this is no attempt for practice that goes on");
     if (word->kind == assess::AidKind::ghost) {
@@ -120,7 +109,7 @@ void Session::carry_out_aid(const AnswerOrder& order, const ReceivedOrder& from)
 }
 
 std::optional<bool> Session::hint_wanted() const {
-    for (std::size_t seat = 0; seat < kSeats.size(); ++seat)
+    for (std::size_t seat = 0; seat < assess::kSeatNames.size(); ++seat)
         if ((aids(seat) & aid_hint_wanted) != 0) return seat == 0;
     return std::nullopt;
 }

@@ -60,7 +60,7 @@ ObstacleMesh hull_mesh(const ShipDef& def, double clearance) {
         for (const double z : levels) {
             Vec3 p = stern ? Vec3(-0.5 * def.length_overall, bow.half_beam, z) : bow.point(s, z);
             p.y() = s == 1 && !stern ? 0 : side * p.y();
-            if (z == -def.draught) p.z() = -def.draught_at(p.x());
+            if (corners.size() % levels.size() == 0) p.z() = -def.draught_at(p.x()); // the keel
             corners.push_back(p);
         }
     };
