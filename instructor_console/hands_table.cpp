@@ -71,7 +71,8 @@ std::string HandsTable::document(const std::string& file, const std::string& not
         "{} at most (idle: below {}); *pass*: achieved; *end*: either, since what counts is that the lesson "
         "ends and says why. In brackets: what this lesson should make of him, where that is another thing. "
         "`?`: not as it should be. An empty cell is a hand who differs in nothing from the model run "
-        "there.\n\n{}\n",
+        "there, or, where a trainee has the conn, in how he takes the orders that he then gives "
+        "himself.\n\n{}\n",
         file, note.empty() ? "" : ": " + note, lesson::kWrongMost, lesson::kIdleMost, table());
     text += "| hand | what he does | should |\n|---|---|---|\n";
     for (const lesson::HandRow& row : lesson::hand_rows())
