@@ -12,7 +12,7 @@ import { root } from "./browser";
 const bin = () => process.env.WINDLASS_BIN ?? join(root, "build/release/bin"); // of what is started next
 const kDomain = process.env.WINDLASS_DOMAIN ?? "";
 if (!kDomain) throw new Error("WINDLASS_DOMAIN is not set: run by own_domain, or set it to a domain of your own");
-const kPatience = 60000; // ms for what happens within one second on a machine at rest
+const kPatience = 150000; // ms for what happens within one second on a machine at rest: others may have it to themselves
 const kLook = 80; // ms between two looks: each costs the browser work, too
 
 export const sleep = (ms: number): Promise<void> => new Promise((done) => setTimeout(done, ms));

@@ -10,8 +10,8 @@ import { eventText } from "../kit/words";
 export interface Logged extends Event {
   /** It happened in a branch that a reset or restore has left since: not on the way to what is now. */
   left: boolean;
-  /** ms of performance.now() */
-  heard: number;
+  /** ms since 1970, by the server's clock */
+  written: number;
 }
 
 /** An event of a recording, wherever its replay stands. */
@@ -45,7 +45,7 @@ export class EventStore {
   private readonly listeners = new Set<(event: Logged | undefined) => void>();
 
   constructor(private readonly link: Connection) {
-    link.on("Event", (event) => this.take(event));
+    link.on("Event", (event, _, written) => this.take(event, written));
     link.onState((state) => state === "lost" && this.clear());
     link.onAnotherServer((until) => this.leave(until));
     link.on("ReplayStatus", (status) => this.read(status.recording));
@@ -81,31 +81,30 @@ export class EventStore {
     this.tell(undefined);
   }
 
-  /** What was heard until then is of a server that is no more, and in no branch of the next one's exercise. */
+  /** What was written until then is of a server that is no more, and in no branch of the next one's exercise. */
   private leave(until: number): void {
     // The next one's, those among them that the last one said in the same words.
     const again = [...this.repeated.splice(0), ...this.all]
-      .filter(({ heard }) => heard >= until)
-      .sort((a, b) => a.heard - b.heard);
-    const before = this.all.filter(({ heard }) => heard < until);
+      .filter(({ written }) => written >= until)
+      .sort((a, b) => a.written - b.written);
+    const before = this.all.filter(({ written }) => written < until);
     for (const event of before) event.left = true;
     this.all.splice(0, this.all.length, ...before);
     this.known.clear();
     this.tell(undefined);
-    for (const event of again) this.take(event);
+    for (const event of again) this.take(event, event.written);
   }
 
-  private take(sample: Event): void {
+  private take(sample: Event, written: number): void {
     // A replay sends them again after each jump; a run of a restore counts from 1 again.
     const key = keyOf(sample);
-    const heard = performance.now();
     if (this.known.has(key)) {
-      this.repeated.push({ ...sample, left: false, heard });
+      this.repeated.push({ ...sample, left: false, written });
       if (this.repeated.length > kRepeated) this.repeated.shift();
       return;
     }
     this.known.add(key);
-    const event = { ...sample, left: false, heard };
+    const event = { ...sample, left: false, written };
     if (begins(event)) leave(this.all, event);
     // A replay that jumped back tells what lies before what is known.
     let at = this.all.length;

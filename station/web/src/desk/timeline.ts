@@ -21,7 +21,7 @@ interface Mark {
 }
 
 interface AlertMark extends Mark {
-  heard: number; // ms of performance.now()
+  written: number; // ms since 1970, by the server's clock
 }
 
 const lanes = [t("faults"), t("talk"), t("alerts"), t("events"), t("bookmarks")] as const;
@@ -114,9 +114,9 @@ export class Timeline {
     );
     desk.events.onChange(() => (this.stale = true));
     for (const topic of ["Alert", "ServerAlert"] as const)
-      desk.link.on(topic, (alert) => {
+      desk.link.on(topic, (alert, _, written) => {
         const mark = {
-          heard: performance.now(),
+          written,
           time: alert.raised_time,
           lane: 2,
           colour: priorityColour(alert.priority),
@@ -126,7 +126,7 @@ export class Timeline {
         this.alerts.set(`${alert.code}/${alert.side}/${alert.raised_time}`, mark);
         this.stale = true;
       });
-    desk.link.onAnotherServer((until) => this.forgetAlerts((mark) => mark.heard < until));
+    desk.link.onAnotherServer((until) => this.forgetAlerts((mark) => mark.written < until));
     desk.link.on("ExerciseStatus", ({ run, time }) => {
       // A reset or restore: what was raised after the moment to which it goes has not happened.
       if (this.run !== undefined && run !== this.run && !this.replay) this.forgetAlerts((mark) => mark.time > time);

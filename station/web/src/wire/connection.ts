@@ -67,6 +67,11 @@ export interface Heard<T> {
   at: number;
 }
 
+/** As it is kept: with the ms since 1970, by the writer's clock, at which it was said, however late it is heard. */
+interface Said<T> extends Heard<T> {
+  written: number;
+}
+
 /** Enough of a stream to draw the recent past: some 1.5 s at 100 Hz. */
 const kKept = 160;
 const kForbidden = 403;
@@ -76,14 +81,14 @@ const kSentAway = 4001;
 const kHold = 100; // ms between two words of a hand on the levers
 /** A server numbers its runs on from the ms at which it was started: those of another one are far off. */
 const kRunsOfOneServer = 1000;
-/** ms after a server's last status in which something else of it may come yet; the next one is not up so soon. */
-const kLastWords = 500;
+/** ms after a server's last status in which it may have written something else: until its next one was due. */
+const kLastWords = 200;
 
 /** The channels of a station, by name: a topic's, and beside the exercise's events those of the classroom. */
 export type Channels = TopicTypes & { "classroom/Event": TopicTypes["Event"] };
 export type ChannelName = keyof Channels;
 
-type Listener<C extends ChannelName> = (sample: Channels[C], key: string) => void;
+type Listener<C extends ChannelName> = (sample: Channels[C], key: string, written: number) => void;
 type Message = { op: string; [field: string]: unknown };
 /** An order: the fields of a command's sample without its origin, enumerators by name. */
 export type OrderSample = Record<string, unknown>;
@@ -102,7 +107,7 @@ export class Connection {
   private readonly advertised = new Map<ChannelName, number>(); // their numbers
   private readonly wanted = new Set<ChannelName>(); // what was listened to or looked at
   private readonly channels = new Map<number, ChannelName>(); // by subscription
-  private readonly kept = new Map<string, Heard<unknown>[]>(); // by channel/key, oldest first
+  private readonly kept = new Map<string, Said<unknown>[]>(); // by channel/key, oldest first
   private readonly listeners = new Map<ChannelName, Set<Listener<ChannelName>>>();
   private readonly stateListeners = new Set<(state: LinkState) => void>();
   private readonly serverListeners = new Set<(until: number) => void>();
@@ -181,7 +186,7 @@ export class Connection {
 
   /**
    * Calls back when another server is heard than before: nothing that was heard of the last one is so any more. until:
-   * when its last word came, ms of performance.now(); what came later is the new one's.
+   * when its last word was written, ms since 1970; what was written later is the new one's.
    */
   onAnotherServer(listener: (until: number) => void): void {
     this.serverListeners.add(listener);
@@ -385,26 +390,26 @@ export class Connection {
     this.heard.bytes += data.byteLength;
     const topic = topicOf(channel);
     const sample = decoders[topic](new CdrReader(new DataView(data, 13)));
-    this.keep(channel, sample, keyOf(topic, sample));
+    this.keep(channel, sample, keyOf(topic, sample), Number(view.getBigUint64(5, true)) / 1e6);
   }
 
-  private keep<C extends ChannelName>(channel: C, sample: Channels[C], key: string): void {
+  private keep<C extends ChannelName>(channel: C, sample: Channels[C], key: string, written: number): void {
     if (channel === "ExerciseStatus") this.lookWhoseWord(sample as Channels["ExerciseStatus"]);
     const name = `${channel}/${key}`;
     const track = this.kept.get(name) ?? [];
     this.kept.set(name, track);
-    track.push({ sample, at: performance.now() });
+    track.push({ sample, at: performance.now(), written });
     if (track.length > kKept) track.shift();
-    for (const listener of this.listeners.get(channel) ?? []) listener(sample, key);
+    for (const listener of this.listeners.get(channel) ?? []) listener(sample, key, written);
   }
 
   /** Forgets what a server said that was killed, once another one speaks in its place. */
   private lookWhoseWord(status: Channels["ExerciseStatus"]): void {
-    const last = this.kept.get("ExerciseStatus/")?.at(-1) as Heard<Channels["ExerciseStatus"]> | undefined;
+    const last = this.kept.get("ExerciseStatus/")?.at(-1) as Said<Channels["ExerciseStatus"]> | undefined;
     if (!last || this.kept.has("ReplayStatus/") || Math.abs(status.run - last.sample.run) < kRunsOfOneServer) return;
-    const until = last.at + kLastWords;
+    const until = last.written + kLastWords;
     for (const [name, track] of this.kept)
-      if (!/^(classroom\/|Classroom)/.test(name) && track.at(-1)!.at < until) this.kept.delete(name);
+      if (!/^(classroom\/|Classroom)/.test(name) && track.at(-1)!.written < until) this.kept.delete(name);
     for (const listener of this.serverListeners) listener(until);
   }
 }

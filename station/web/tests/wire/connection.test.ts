@@ -264,3 +264,83 @@ test("a station of another version of the wire is left for good", (t) => {
   assert.equal(states.at(-1), "closed");
   assert.equal(Socket.all.length, 1);
 });
+
+/** A sample as a station sends it, of strings, "u32", "u64" and "f64" values; written: ms since 1970. */
+function sampleOf(subscription: number, written: number, fields: [string, number | string][]): ArrayBuffer {
+  const view = new DataView(new ArrayBuffer(400));
+  view.setUint8(0, 1);
+  view.setUint32(1, subscription, true);
+  view.setBigUint64(5, BigInt(written) * 1_000_000n, true);
+  view.setUint16(13, 1); // little-endian CDR
+  let at = 17;
+  const next = (size: number) => {
+    at += -(at - 17) & (size - 1);
+    at += size;
+    return at - size;
+  };
+  for (const [type, value] of fields)
+    if (type === "string") {
+      view.setUint32(next(4), `${value}`.length + 1, true);
+      for (const letter of `${value}`) view.setUint8(next(1), letter.charCodeAt(0));
+      next(1);
+    } else if (type === "u32") view.setUint32(next(4), Number(value), true);
+    else if (type === "u64") view.setBigUint64(next(8), BigInt(value), true);
+    else view.setFloat64(next(8), Number(value), true);
+  return view.buffer;
+}
+
+test("a page that was held up tells a lost server's words from those of the next one by when they were written", (t) => {
+  const { link, socket } = connect(t);
+  const codes: string[] = [];
+  let until = 0;
+  link.on("Event", ({ code }, _, written) => codes.push(`${code} ${written}`));
+  link.on("ExerciseStatus", () => undefined);
+  link.onAnotherServer((at) => (until = at));
+  socket().accept();
+  socket().say({
+    op: "advertise",
+    channels: [
+      { id: 1, topic: "/ExerciseStatus" },
+      { id: 2, topic: "/Event" },
+    ],
+  });
+  const wanted = socket().sent.flatMap(
+    (message) => (message.subscriptions as { id: number; channelId: number }[]) ?? [],
+  );
+  const [status, event] = [1, 2].map((channel) => wanted.find(({ channelId }) => channelId === channel)!.id);
+  const tell = (data: ArrayBuffer) => socket().onmessage?.({ data });
+  const tellStatus = (run: number, written: number) =>
+    tell(
+      sampleOf(status!, written, [
+        ["u64", 0],
+        ["f64", 0],
+        ["u32", 1],
+        ["f64", 1],
+        ["f64", 1],
+        ["string", "one"],
+        ["string", "One"],
+        ["u64", run],
+      ]),
+    );
+  const tellEvent = (code: string, written: number) =>
+    tell(
+      sampleOf(event!, written, [
+        ["u64", 0],
+        ["f64", 0],
+        ["u64", 1],
+        ["u32", 0],
+        ["string", code],
+        ["u32", 0],
+        ["f64", 0],
+        ["string", code],
+      ]),
+    );
+  // All at once: the next one speaks 0.3 s after the last one's status, and says first what it goes on from.
+  tellStatus(1_000, 50_000);
+  tellEvent("last.word", 50_150);
+  tellEvent("exercise.taken_up", 50_300);
+  tellStatus(900_000, 50_310);
+  assert.deepEqual(codes, ["last.word 50150", "exercise.taken_up 50300"]);
+  assert.ok(until > 50_150 && until <= 50_300, `${until}`);
+  assert.equal(link.latest("Event")?.code, "exercise.taken_up");
+});
