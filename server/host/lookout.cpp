@@ -33,6 +33,7 @@ bool over(const run::RunStatus& status) {
 bool Outlook::look(const run::Session& session, Time now, const Tell& tell) {
     const bool on = session.predicts();
     if (!on && !on_) return false;
+    stands_ = !session.running();
     const std::uint64_t run = session.status().run;
     if (on != on_ || run != run_) {
         on_ = on, run_ = run;
@@ -86,7 +87,7 @@ bool Outlook::go_on() {
     spent_ += thread_time() - began;
     if (wanted_ != of_run_) {
         goes_on = made = false;
-    } else if (goes_on && (spent_ >= kMostTime || Clock::now() - given_at_ >= kPatience)) {
+    } else if (goes_on && (spent_ >= kMostTime || (!stands_ && Clock::now() - given_at_ >= kPatience))) {
         branch_->give_up();
         goes_on = false;
     }

@@ -31,7 +31,8 @@ public:
     static constexpr double kMostTime = 1.5; ///< s of processor time that one of them takes
     /// From one to the next, at least: more of them nobody could look at, and a recording keeps them all.
     static constexpr std::chrono::seconds kApart{2};
-    /// One that takes longer is told as far as it has come.
+    /// One that takes longer is told as far as it has come; of an exercise that stands still it does not grow
+    /// old.
     static constexpr std::chrono::seconds kPatience{10};
 
     // Of the thread that ticks, between two ticks.
@@ -65,6 +66,7 @@ private:
     // Between them
     std::atomic<std::uint64_t> wanted_{0}; // the run of which predictions are wanted; 0: none are
     std::atomic<bool> closed_{false};
+    std::atomic<bool> stands_{false}; // the exercise does
     std::mutex mutex_;                // of what follows; the thread that ticks only tries it
     std::vector<std::uint8_t> state_; // the lookout's, while it is at it
     std::uint64_t of_run_ = 0;        // that it is of

@@ -140,6 +140,18 @@ TEST_F(LookoutTest, TakesATenthOfACoreAtMostAndChangesNoBitOfTheExercise) {
     EXPECT_LE(spent - last, Outlook::kShare * lasted.count());
 }
 
+TEST_F(LookoutTest, OfAnExerciseThatStandsGoesToItsEndHoweverLongItWaitedForACore) {
+    run::SessionOptions waits = options();
+    waits.wait = true;
+    Session session({}, waits);
+    ask(session, true);
+    look(session, Outlook::Clock::now() - Outlook::kPatience - 1s);
+    const auto made = next(session);
+    ASSERT_TRUE(made);
+    EXPECT_EQ(made->state, PredictionState::whole);
+    EXPECT_EQ(made->moments.size(), 61U);
+}
+
 TEST_F(LookoutTest, ThatIsGivenUpComesAsFarAsItWas) {
     Session session({}, options());
     ask(session, true);

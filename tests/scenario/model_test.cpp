@@ -2,6 +2,7 @@
 
 #include "rigs/error_coverage.hpp"
 #include "rigs/grip_in_proportion.hpp"
+#include "server/config/config.hpp"
 #include "server/exercise/checkpoint.hpp"
 
 #include <gtest/gtest.h>
@@ -209,6 +210,25 @@ TEST(Model, SaysNothingOfItsErrorFromWhenTheAnchorGivesWayToBeingHoveUntilItIsHo
     ASSERT_TRUE(bring_home(drill));
     drill.run(1);
     EXPECT_FALSE(silent());
+}
+
+// A knock against the plating is told in one tick or in none: with longer steps this anchor came to lie on
+// its other side.
+TEST(Model, StepsAnAnchorThatKnocksAgainstTheSideAsFinelyAsInFull) {
+    const ExerciseDef def = config::parse_exercise(R"({"from": "let_go_port_25m",
+            "environment": {"depth": 42.7, "wind_speed": 5, "wind_from_deg": 340},
+            "ship": {"from": "general_cargo_118m"}, "ship_start": {"surge": -0.3},
+            "tackle": [{"side": "port", "windlass": {"from": "electric_46mm"},
+                        "chain": {"from": "stud_link_46mm_k3"}, "anchor": {"from": "stockless_3540"},
+                        "cable_out": 5, "brake": 1, "clutch_in": false, "stopper_closed": false}]})",
+                                                   "knocks", WINDLASS_CONFIG_DIR);
+    Drill policy(def), full(in_full(def));
+    for (Drill* drill : {&policy, &full}) {
+        drill->run(10);
+        drill->brake(0);
+        ASSERT_TRUE(drill->run_until([&] { return drill->anchor().phase == AnchorPhase::on_bottom; }, 60));
+    }
+    EXPECT_LT((policy.anchor().shackle - full.anchor().shackle).norm(), 0.01); // m; it was 1.2
 }
 
 TEST(Model, WakesWhenTheShipPullsHerAnchorOut) {
