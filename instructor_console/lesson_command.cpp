@@ -35,6 +35,7 @@ struct LessonOptions {
     bool hands = false;
     bool practice = false;
     bool play = false; ///< check: play them, too
+    bool first_must = false;
 };
 
 const char* word(CriterionState state) {
@@ -287,6 +288,20 @@ int attempt(const LessonOptions& options) {
     return all ? station::kOk : station::kFailed;
 }
 
+/// Of what an attempt lost, in the order in which it did, what is asked about: all, one by its id, or the
+/// must that it lost first (where it lost none, what it lost first).
+std::vector<std::string> asked_about(const whatif::Trials& trials, const LessonOptions& options) {
+    std::vector<std::string> lost = whatif::lost_criteria(trials);
+    if (!options.criterion.empty())
+        std::erase_if(lost, [&](const std::string& code) { return code != options.criterion; });
+    if (!options.first_must || lost.size() < 2) return lost;
+    const auto& all = trials.recorded().criteria;
+    const auto must = std::ranges::find_if(lost, [&](const std::string& code) {
+        return std::ranges::find(all, code, &assess::CriterionResult::code)->must;
+    });
+    return {must == lost.end() ? lost.front() : *must};
+}
+
 /// What would have kept each point that the typical errors lose, a row of a table each.
 int what_if(const LessonOptions& options) {
     std::cout
@@ -299,8 +314,7 @@ int what_if(const LessonOptions& options) {
             lesson::play(file.def, scripts_of(file, error),
                          [&](const run::Session& session) { whatif::put_down(attempt, session); });
             whatif::Trials trials(attempt, model);
-            for (const std::string& code : whatif::lost_criteria(trials)) {
-                if (!options.criterion.empty() && code != options.criterion) continue;
+            for (const std::string& code : asked_about(trials, options)) {
                 const std::clock_t began = std::clock();
                 const whatif::Answer answer = whatif::what_if(trials, code);
                 std::cout << fmt::format("| {} | {} | {}{} | {} | {} | {} | {:.1f} |\n", file.lesson.id,
@@ -378,6 +392,7 @@ void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& 
     sub->add_option("file", options->files, "exercise files; default: every lesson of the folder");
     sub->add_option("--folder", options->folder, "of exercise files")->capture_default_str();
     sub->add_option("--criterion", options->criterion, "only this one, by its id");
+    sub->add_flag("--first-must", options->first_must, "of each error only the must that it lost first");
 }
 
 } // namespace windlass::console
