@@ -8,6 +8,7 @@ import { hadNoProblems, heard, unreachable } from "./pages";
 import { Rig, eventually } from "./rig";
 
 const kSizes: [number, number][] = [
+  [1600, 900], // the widest arrangement at its narrowest
   [1280, 720],
   [1180, 820],
   [1024, 768],

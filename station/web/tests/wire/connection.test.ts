@@ -289,7 +289,7 @@ function sampleOf(subscription: number, written: number, fields: [string, number
   return view.buffer;
 }
 
-test("a page that was held up tells a lost server's words from those of the next one by when they were written", (t) => {
+test("a page that was held up tells a lost server from the next one by when their words were written", (t) => {
   const { link, socket } = connect(t);
   const codes: string[] = [];
   let until = 0;
