@@ -231,6 +231,26 @@ TEST(Model, StepsAnAnchorThatKnocksAgainstTheSideAsFinelyAsInFull) {
     EXPECT_LT((policy.anchor().shackle - full.anchor().shackle).norm(), 0.01); // m; it was 1.2
 }
 
+// How long a step is goes by the state alone: where the anchor lies against its pipe is known after a step
+// only.
+TEST(Model, OfAShipAtAnchorWithTheOtherOneHomeGoesOnAlikeFromAStateThatIsBroughtBack) {
+    const ExerciseDef def = config::load_exercise(WINDLASS_CONFIG_DIR "/exercises/L28_anchor_watch.json");
+    const double dt = 1.0 / def.tick_rate_hz;
+    Exercise first(def);
+    for (int tick = 0; tick < 3000; ++tick) {
+        if (tick % 601 == 0) {
+            Exercise second = read_checkpoint(write_checkpoint(first));
+            Exercise beside = read_checkpoint(write_checkpoint(first));
+            for (int later = 0; later < 30; ++later) {
+                if (later == 7) second = read_checkpoint(write_checkpoint(second));
+                ASSERT_TRUE(second.step(dt) && beside.step(dt));
+            }
+            ASSERT_EQ(write_checkpoint(second), write_checkpoint(beside)) << tick;
+        }
+        ASSERT_TRUE(first.step(dt));
+    }
+}
+
 TEST(Model, WakesWhenTheShipPullsHerAnchorOut) {
     ExerciseDef def = let_go_def();
     Drill drill(def);
