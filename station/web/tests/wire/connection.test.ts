@@ -265,8 +265,11 @@ test("a station of another version of the wire is left for good", (t) => {
   assert.equal(Socket.all.length, 1);
 });
 
-/** A sample as a station sends it, of strings, "u32", "u64" and "f64" values; written: ms since 1970. */
-function sampleOf(subscription: number, written: number, fields: [string, number | string][]): ArrayBuffer {
+/** A field of a sample: u32 in brackets, u64, f64 or string. */
+type Field = [number] | bigint | number | string;
+
+/** A sample as a station sends it; written: ms since 1970. */
+function sampleOf(subscription: number, written: number, fields: Field[]): ArrayBuffer {
   const view = new DataView(new ArrayBuffer(400));
   view.setUint8(0, 1);
   view.setUint32(1, subscription, true);
@@ -278,14 +281,13 @@ function sampleOf(subscription: number, written: number, fields: [string, number
     at += size;
     return at - size;
   };
-  for (const [type, value] of fields)
-    if (type === "string") {
-      view.setUint32(next(4), `${value}`.length + 1, true);
-      for (const letter of `${value}`) view.setUint8(next(1), letter.charCodeAt(0));
-      next(1);
-    } else if (type === "u32") view.setUint32(next(4), Number(value), true);
-    else if (type === "u64") view.setBigUint64(next(8), BigInt(value), true);
-    else view.setFloat64(next(8), Number(value), true);
+  for (const value of fields)
+    if (typeof value === "string") {
+      view.setUint32(next(4), value.length + 1, true);
+      for (const letter of `${value}\0`) view.setUint8(next(1), letter.charCodeAt(0));
+    } else if (typeof value === "bigint") view.setBigUint64(next(8), value, true);
+    else if (typeof value === "number") view.setFloat64(next(8), value, true);
+    else view.setUint32(next(4), value[0], true);
   return view.buffer;
 }
 
@@ -309,37 +311,15 @@ test("a page that was held up tells a lost server from the next one by when thei
   );
   const [status, event] = [1, 2].map((channel) => wanted.find(({ channelId }) => channelId === channel)!.id);
   const tell = (data: ArrayBuffer) => socket().onmessage?.({ data });
-  const tellStatus = (run: number, written: number) =>
-    tell(
-      sampleOf(status!, written, [
-        ["u64", 0],
-        ["f64", 0],
-        ["u32", 1],
-        ["f64", 1],
-        ["f64", 1],
-        ["string", "one"],
-        ["string", "One"],
-        ["u64", run],
-      ]),
-    );
+  const tellStatus = (run: bigint, written: number) =>
+    tell(sampleOf(status!, written, [0n, 0, [1], 1, 1, "one", "One", run]));
   const tellEvent = (code: string, written: number) =>
-    tell(
-      sampleOf(event!, written, [
-        ["u64", 0],
-        ["f64", 0],
-        ["u64", 1],
-        ["u32", 0],
-        ["string", code],
-        ["u32", 0],
-        ["f64", 0],
-        ["string", code],
-      ]),
-    );
+    tell(sampleOf(event!, written, [0n, 0, 1n, [0], code, [0], 0, code]));
   // All at once: the next one speaks 0.3 s after the last one's status, and says first what it goes on from.
-  tellStatus(1_000, 50_000);
+  tellStatus(1_000n, 50_000);
   tellEvent("last.word", 50_150);
   tellEvent("exercise.taken_up", 50_300);
-  tellStatus(900_000, 50_310);
+  tellStatus(900_000n, 50_310);
   assert.deepEqual(codes, ["last.word 50150", "exercise.taken_up 50300"]);
   assert.ok(until > 50_150 && until <= 50_300, `${until}`);
   assert.equal(link.latest("Event")?.code, "exercise.taken_up");
