@@ -150,16 +150,16 @@ bool Writer<T>::wait_acknowledged(std::chrono::milliseconds timeout) {
 
 template <class T>
 struct Reader<T>::Impl : dds::DataReaderListener {
-    Impl(Participant& owner, const TopicInfo& info, OnSampleFrom callback, OnWrong wrong, OnGone gone)
+    Impl(Participant& owner, const TopicInfo& info, OnSampleFrom callback, OnWrong wrong, OnWriter writer)
         : participant(owner.impl()),
           name(info.name),
           on_sample(std::move(callback)),
           on_wrong(std::move(wrong)),
-          on_gone(std::move(gone)) {
+          on_writer(std::move(writer)) {
         dds::TypeSupport type(new CheckedType<T>());
         const auto qos = shared_qos<dds::DataReaderQos>(info, type->m_typeSize);
         auto told = dds::StatusMask::data_available() << dds::StatusMask::requested_incompatible_qos();
-        if (on_gone) told << dds::StatusMask::subscription_matched();
+        if (on_writer) told << dds::StatusMask::subscription_matched();
         reader = participant->subscriber->create_datareader(participant->topic(info, type), qos, this, told);
         if (reader == nullptr) throw participant->none_of("reader", info);
     }
@@ -174,8 +174,8 @@ struct Reader<T>::Impl : dds::DataReaderListener {
 
     void on_subscription_matched(dds::DataReader*, const dds::SubscriptionMatchedStatus& status) override {
         const std::lock_guard lock(meeting);
-        if (status.current_count_change < 0)
-            on_gone(writer_id(fastrtps::rtps::iHandle2GUID(status.last_publication_handle)));
+        on_writer(writer_id(fastrtps::rtps::iHandle2GUID(status.last_publication_handle)),
+                  status.current_count_change > 0);
     }
 
     void on_data_available(dds::DataReader* source) override {
@@ -200,7 +200,7 @@ struct Reader<T>::Impl : dds::DataReaderListener {
     const char* name;
     OnSampleFrom on_sample;
     OnWrong on_wrong;
-    OnGone on_gone;
+    OnWriter on_writer;
     std::mutex busy, meeting; // two: DDS holds locks of its own while it tells of a writer
     T sample;                 // reused, so that a stream of samples does not allocate
     dds::DataReader* reader = nullptr;
@@ -208,9 +208,9 @@ struct Reader<T>::Impl : dds::DataReaderListener {
 
 template <class T>
 Reader<T>::Reader(Participant& participant, const Topic<T>& topic, OnSampleFrom on_sample, OnWrong on_wrong,
-                  OnGone on_gone)
+                  OnWriter on_writer)
     : impl_(std::make_unique<Impl>(participant, topic, std::move(on_sample), std::move(on_wrong),
-                                   std::move(on_gone))) {}
+                                   std::move(on_writer))) {}
 template <class T>
 Reader<T>::Reader(Participant& participant, const Topic<T>& topic, OnSample on_sample)
     : Reader(participant, topic,

@@ -116,15 +116,16 @@ public:
     using OnSample = std::function<void(const T&)>;
     using OnSampleFrom = std::function<void(const T&, const WriterId&)>;
     using OnWrong = std::function<void()>;
-    using OnGone = std::function<void(const WriterId&)>;
+    using OnWriter = std::function<void(const WriterId&, bool there)>;
 
     /// Throws std::runtime_error when the reader cannot be made. on_wrong is told of each sample that is no
-    /// CDR of the type, or exceeds a bound of it; nothing of such a sample is seen. on_gone is told of each
-    /// writer that is there no more: at once when it was disposed of, else when DDS misses its program; it
-    /// may run beside on_sample.
+    /// CDR of the type, or exceeds a bound of it; nothing of such a sample is seen. on_writer is told of each
+    /// writer that is there, before its first sample, and that is there no more: at once when it was disposed
+    /// of, else when DDS misses its program. A program that was only held up is there again, with the writer
+    /// that it had. It may run beside on_sample.
     Reader(Participant& participant, const Topic<T>& topic, OnSample on_sample);
     Reader(Participant& participant, const Topic<T>& topic, OnSampleFrom on_sample, OnWrong on_wrong = {},
-           OnGone on_gone = {});
+           OnWriter on_writer = {});
     ~Reader();
     Reader(Reader&&) noexcept;
     Reader& operator=(Reader&&) noexcept;

@@ -49,9 +49,11 @@ wire::Reader<T> reader(wire::Participant& participant, const wire::Topic<T>& top
                 }
             },
             [&mailbox, kind] { mailbox.refuse(kind, Mailbox::Unseen::malformed); },
-            topic.deadline > 0 ? typename wire::Reader<T>::OnGone(
-                                     [&mailbox](const wire::WriterId& writer) { mailbox.leave(writer); })
-                               : nullptr};
+            topic.deadline > 0
+                ? typename wire::Reader<T>::OnWriter([&mailbox](const wire::WriterId& writer, bool there) {
+                      there ? mailbox.come(writer) : mailbox.leave(writer);
+                  })
+                : nullptr};
 }
 
 } // namespace

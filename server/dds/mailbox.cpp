@@ -102,6 +102,13 @@ void Mailbox::leave(const wire::WriterId& writer) {
     left_.push_back(writer);
 }
 
+void Mailbox::come(const wire::WriterId& writer) {
+    const std::lock_guard lock(mutex_);
+    empty_ = false;
+    std::erase(left_, writer); // between two looks it was only held up
+    if (came_.size() < kSendersRemembered) came_.push_back(writer);
+}
+
 void Mailbox::drain(const run::Limits& limits, run::Inbox& inbox) {
     inbox.clear();
     drained_.clear();
@@ -111,6 +118,7 @@ void Mailbox::drain(const run::Limits& limits, run::Inbox& inbox) {
         empty_ = true;
         waiting_.swap(drained_);
         left_.swap(inbox.left);
+        came_.swap(inbox.came);
         inbox.overflow = std::exchange(overflow_, 0);
         unseen = std::exchange(unseen_, {});
     }

@@ -60,6 +60,8 @@ public:
 
     /// From a DDS thread: a writer of levers is there no more. Of many at once the first 256 are told.
     void leave(const wire::WriterId& writer);
+    /// From a DDS thread: a writer of levers is there, for the first time or again.
+    void come(const wire::WriterId& writer);
 
     /// Whether nothing was put in or refused since it was emptied. From any thread; waits for none.
     bool empty() const { return empty_; }
@@ -79,7 +81,7 @@ private:
     std::mutex mutex_;
     std::vector<Received> waiting_;                                                  // guarded by mutex_
     std::uint64_t overflow_ = 0;                                                     // guarded by mutex_
-    std::vector<wire::WriterId> left_;                                               // guarded by mutex_
+    std::vector<wire::WriterId> left_, came_;                                        // guarded by mutex_
     std::array<std::array<std::uint64_t, 2>, std::variant_size_v<Sample>> unseen_{}; // guarded by mutex_
     std::atomic<bool> empty_{true};                                                  // written under mutex_
     std::vector<Received> drained_; // the exercise thread's, swapped with waiting_

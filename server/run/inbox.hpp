@@ -23,10 +23,11 @@ struct Refusal {
 struct Inbox {
     std::vector<ReceivedOrder> orders;
     std::vector<Refusal> refusals;
+    std::vector<WriterKey> came; ///< writers of levers that are there, before their first orders
     std::vector<WriterKey> left; ///< writers of levers that are there no more, after their last orders
     std::uint64_t overflow = 0;  ///< samples that found the box full since the last drain
 
-    void clear() { orders.clear(), refusals.clear(), left.clear(), overflow = 0; }
+    void clear() { orders.clear(), refusals.clear(), came.clear(), left.clear(), overflow = 0; }
 };
 
 } // namespace windlass::run

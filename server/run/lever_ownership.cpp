@@ -52,6 +52,11 @@ void LeverOwnership::leave(const WriterKey& writer) {
         if (held.writer == writer && !held.left) held.left = now_;
 }
 
+void LeverOwnership::come(const WriterKey& writer) {
+    for (Owner& held : owners_)
+        if (held.writer == writer) held.left.reset();
+}
+
 std::optional<LeverOwnership::Hand> LeverOwnership::gone(LeverGroup levers) {
     Owner& held = owner(levers);
     if (held.source.empty() || now_ <= held.given_up_at() + kNextHand) return std::nullopt;

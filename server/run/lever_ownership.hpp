@@ -45,6 +45,8 @@ public:
 
     /// That writer is there no more: a hand that lets go says so.
     void leave(const WriterKey& writer);
+    /// That writer is there (again): it was missed while its program was held up.
+    void come(const WriterKey& writer);
 
     /// Who had these levers and has let go, or has been silent for kHandSilent, and nobody has taken them
     /// since; from here on nobody has them.

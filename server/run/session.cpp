@@ -196,6 +196,8 @@ void Session::carry_out(const Inbox& inbox, double now) {
         if (auto told = refusals_.add(refusal, now)) log(*told);
     }
     lever_ownership_.listen(now);
+    for (const WriterKey& writer : inbox.came)
+        lever_ownership_.come(writer);
     take_what_waited();
     for (const auto& order : inbox.orders) {
         const auto* command = std::get_if<exercise::Order>(&order.what);

@@ -322,6 +322,34 @@ TEST_F(SessionTest, HandWhoseWriterGoesAfterASilenceHasNotLetGo) {
               "clutch and stopper as they were");
 }
 
+// Its program was held up for longer than DDS waits: what it says then is no late word of a writer that is
+// there no more, and the levers do not fall out of its hand with each.
+TEST_F(SessionTest, HandThatWasMissedAndIsThereAgainHoldsItsLevers) {
+    constexpr WriterKey kHis{1};
+    Session session({}, options());
+    Inbox inbox;
+    inbox.came.push_back(kHis);
+    inbox.orders.push_back({"trainee-1", levers(0.5), false, kHis});
+    session.carry_out(inbox, 10);
+    inbox.clear();
+    hear_nothing(session, 10.05, 15);
+    inbox.left.push_back(kHis);
+    session.carry_out(inbox, 15.05);
+    hear_nothing(session, 15.1, 15.4);
+    EXPECT_EQ(count(session, "levers.lost"), 1);
+
+    session.clear_news();
+    inbox.clear();
+    inbox.came.push_back(kHis);
+    session.carry_out(inbox, 16);
+    inbox.clear();
+    inbox.orders.push_back({"trainee-1", levers(0.5), false, kHis});
+    for (double now = 16; now < 18; now += 0.05)
+        session.carry_out(inbox, now);
+    EXPECT_EQ(count(session, "levers.taken"), 1);
+    EXPECT_EQ(count(session, "levers.lost"), 0);
+}
+
 TEST_F(SessionTest, NoMoreThanThreeSecondsOfExerciseAreHurriedOnTheWordOfAHandThatIsNotHeard) {
     for (const double scale : {0.5, 1.0, 2.0, 10.0, 20.0, 0.0}) {
         SessionOptions hurried = options();

@@ -275,7 +275,22 @@ TEST_F(Authority, LeversOfAHangingClientFallToTheNextAndComeBackWhenItGoesOn) {
     instructor.signal(SIGSTOP);
     EXPECT_TRUE(comes_into_hand("trainee-1", kTraineesLever)) << server_.text();
     instructor.signal(SIGCONT);
-    EXPECT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << server_.text();
+    EXPECT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << server_.text() << instructor.text();
+}
+
+// Missed by DDS, and nobody else there: its writer is the one that was there before.
+TEST_F(Authority, HandOfAClientThatWasHeldUpForLongHoldsItsLeversWhenItGoesOn) {
+    const ChildProcess instructor(this->instructor());
+    ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << instructor.text();
+    instructor.signal(SIGSTOP);
+    ASSERT_TRUE(eventually([&] { return events("levers.lost") == 1; })) << server_.text();
+    pace(std::chrono::seconds(2)); // beyond the lease
+    instructor.signal(SIGCONT);
+    ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << server_.text();
+    const auto time = [&] { return onlooker_.picture().tackle[SIDE_PORT].load->time(); };
+    EXPECT_TRUE(eventually([&, from = time()] { return time() > from + 2; }));
+    EXPECT_EQ(events("levers.taken"), 2) << server_.text();
+    EXPECT_EQ(events("levers.lost"), 1);
 }
 
 TEST_F(Authority, WithNobodyLeftTheLeverSpringsToZeroAndTheBrakeStaysAsItIs) {

@@ -56,7 +56,7 @@ TEST_F(ServerOfWorkers, LosesAWorkerAndHasItsExerciseBackWhileItsNeighbourRunsOn
     EXPECT_TRUE(eventually([&] { return !witness_.told("exercise.taken_up").empty(); }));
     const auto kept_up_to = witness_.truth().tick();
     EXPECT_GT(kept_up_to, 2700U); // ticks of 9 s
-    EXPECT_TRUE(eventually([&] { // a topic of its own
+    EXPECT_TRUE(eventually([&] {  // a topic of its own
         return witness_.status().run() > first_run && witness_.status().state() == RUN_PAUSED;
     }));
     EXPECT_THAT(server.text(), HasSubstr("worker 1 was killed by signal 9; it is started again"));
