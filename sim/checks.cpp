@@ -341,6 +341,10 @@ void Checks::leaves(const wire::WriterId& writer) {
     left_.insert(writer);
 }
 
+void Checks::comes(const wire::WriterId& writer) {
+    left_.erase(writer);
+}
+
 void Checks::forget_hands() {
     for (Levers& levers : levers_) {
         levers.source.clear();
@@ -457,6 +461,8 @@ void Checks::look_at_levers(const run::OrderView& order, double) {
         auto left = levers.at;
         left[1] = 0;
         if (ordered != left) fail("levers", "the server moves no lever but the speed lever, to zero", name);
+        if (!left_.contains(levers.writer) && listened_ - levers.heard < kHandSilent)
+            fail("levers", fmt::format("{} is heard and has the {}", levers.source, name), "nobody has it");
         levers.at = ordered;
         levers.source.clear();
         return;

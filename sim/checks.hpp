@@ -36,6 +36,7 @@ public:
     /// A sample is in the mailbox.
     void hears(const Sent& sent);
     void leaves(const wire::WriterId& writer);
+    void comes(const wire::WriterId& writer);
     /// The orders of a tick have been taken and it was run, or the exercise stands still; before the news are
     /// cleared. now: s, as the session was told.
     void look(const run::Session& session, const run::Inbox& inbox, double now, const std::string& trouble);

@@ -67,6 +67,7 @@ void Hands::work(Hand& hand) {
         next = chance.spread(0.3, 20);
     } else if (chance.in(0.004)) { // hangs
         next = chance.spread(0.1, 15);
+        network_.hold_up(hand.writer, world_.now() + next);
     }
     world_.at(world_.now() + next, [this, &hand] { work(hand); });
 }

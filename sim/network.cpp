@@ -7,6 +7,7 @@ namespace windlass::sim {
 namespace {
 
 constexpr double kDeadline = 1; // s, of levers: then the next strongest is heard
+constexpr double kLease = 5;    // s, of silence: then a program is missed (idl/network.cpp)
 
 /// Levers that have one owner at a time; -1: none.
 int levers_of(const dds::Mailbox::Sample& sample) {
@@ -39,16 +40,27 @@ void Network::send(Sent sent) {
 }
 
 void Network::leave(const wire::WriterId& writer) {
-    world_.at(arrival(writer), [this, writer] {
-        for (auto& [levers, owner] : owners_)
-            if (owner.writer == writer) owner = {};
-        if (left_) left_(writer);
+    world_.at(arrival(writer), [this, writer] { miss(writer); });
+}
+
+void Network::hold_up(const wire::WriterId& writer, double until) {
+    const double missed = world_.now() + kLease;
+    if (until <= missed) return;
+    world_.at(missed, [this, writer] { miss(writer); });
+    world_.at(until, [this, writer] {
+        if (met_) met_(writer, true);
     });
 }
 
-void Network::serve(Heard heard, Left left) {
+void Network::miss(const wire::WriterId& writer) {
+    for (auto& [levers, owner] : owners_)
+        if (owner.writer == writer) owner = {};
+    if (met_) met_(writer, false);
+}
+
+void Network::serve(Heard heard, Met met) {
     heard_ = std::move(heard);
-    left_ = std::move(left);
+    met_ = std::move(met);
     served_since_ = world_.now();
     owners_.clear();
 }

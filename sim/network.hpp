@@ -28,17 +28,20 @@ public:
     void send(Sent sent);
     /// That writer is there no more, which is told behind what it sent.
     void leave(const wire::WriterId& writer);
+    /// The program of that writer is held up until then (s): missed after DDS's lease, and there again.
+    void hold_up(const wire::WriterId& writer, double until);
 
     using Heard = std::function<void(const Sent&)>;
-    using Left = std::function<void(const wire::WriterId&)>;
+    using Met = std::function<void(const wire::WriterId&, bool there)>;
     /// A server listens from now on. What was sent before is lost, as DDS keeps no orders for those who come.
-    void serve(Heard heard, Left left);
+    void serve(Heard heard, Met met);
     /// There is none.
-    void serve_nobody() { heard_ = nullptr, left_ = nullptr; }
+    void serve_nobody() { heard_ = nullptr, met_ = nullptr; }
 
 private:
     double arrival(const wire::WriterId& writer);
     void arrive(const Sent& sent);
+    void miss(const wire::WriterId& writer);
 
     struct Owner {
         wire::WriterId writer{};
@@ -49,7 +52,7 @@ private:
     World& world_;
     const bool bad_;
     Heard heard_;
-    Left left_;
+    Met met_;
     double served_since_ = 0, congested_until_ = 0; // s
     std::map<wire::WriterId, double> last_;         // arrival of each writer's last sample
     std::map<std::pair<int, bool>, Owner> owners_;
