@@ -5,6 +5,7 @@
 #include "rigs/own_domain.hpp"
 #include "rigs/wait.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -110,28 +111,29 @@ TEST(Topics, StrongerWriterTakesOverAndTheWeakerIsHeardAgainWhenItFallsSilent) {
     EXPECT_TRUE(eventually([&] { return weak_writes() && brake == 0.25; }));
 }
 
-TEST(Topics, ReaderIsToldAtOnceOfAWriterThatIsDisposedOfAndOfNoOther) {
+TEST(Topics, ReaderIsToldOfWritersThatAreThereAndAtOnceOfOneThatIsDisposedOf) {
     Participant server({own_domain(), "exercise/a", "server"});
     Participant client({own_domain(), "exercise/a", "client"});
     std::mutex mutex;
-    std::vector<WriterId> gone;
+    std::vector<std::pair<WriterId, bool>> met;
     const auto told = [&] {
         const std::lock_guard lock(mutex);
-        return gone;
+        return met;
     };
     Reader<WindlassCommand> reader(
         server, topics::windlass_command, [](const WindlassCommand&, const WriterId&) {}, {},
-        [&](const WriterId& writer) {
+        [&](const WriterId& writer, bool there) {
             const std::lock_guard lock(mutex);
-            gone.push_back(writer);
+            met.emplace_back(writer, there);
         });
     Writer<WindlassCommand> stays(client, topics::windlass_command);
     std::optional<Writer<WindlassCommand>> leaves(std::in_place, client, topics::windlass_command);
-    ASSERT_TRUE(eventually([&] { return reader.matched() == 2; }));
-    EXPECT_TRUE(told().empty());
-    const WriterId id = leaves->id();
+    const std::pair one{stays.id(), true}, other{leaves->id(), true}, gone{leaves->id(), false};
+    ASSERT_TRUE(eventually([&] { return told().size() == 2; }));
+    EXPECT_THAT(told(), testing::UnorderedElementsAre(one, other));
     leaves.reset();
-    EXPECT_TRUE(eventually([&] { return told() == std::vector{id}; }));
+    EXPECT_TRUE(eventually([&] { return told().size() == 3; }));
+    EXPECT_EQ(told().back(), gone);
 }
 
 TEST(Topics, PartitionsDoNotMix) {
