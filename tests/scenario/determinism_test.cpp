@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x94c0087c02d54ceb},
-    {1800, 0x88caa98429e370f6},
-    {3300, 0x8de8741d293b4dd8},
-    {6000, 0x5319d54e23c14eb8},
-    {8700, 0xfa95b6cf0f3b55a9},
-    {12000, 0x4d1ab944be3997e8},
-    {15000, 0xf554e2259e4f5ade},
+    {300, 0x418957b9526b7054},
+    {1800, 0xc9342cc9ceb8491e},
+    {3300, 0x88d94f6093c71d04},
+    {6000, 0xdb8b834e5832198d},
+    {8700, 0x6eaca7965c361a2f},
+    {12000, 0x9019e2f8abe9ffc0},
+    {15000, 0xf547d618dc7cbe32},
 }};
 
 } // namespace

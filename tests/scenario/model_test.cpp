@@ -2,6 +2,7 @@
 
 #include "rigs/error_coverage.hpp"
 #include "rigs/grip_in_proportion.hpp"
+#include "server/config/config.hpp"
 #include "server/exercise/checkpoint.hpp"
 
 #include <gtest/gtest.h>
@@ -209,6 +210,45 @@ TEST(Model, SaysNothingOfItsErrorFromWhenTheAnchorGivesWayToBeingHoveUntilItIsHo
     ASSERT_TRUE(bring_home(drill));
     drill.run(1);
     EXPECT_FALSE(silent());
+}
+
+// A knock against the plating is told in one tick or in none: with longer steps this anchor came to lie on
+// its other side.
+TEST(Model, StepsAnAnchorThatKnocksAgainstTheSideAsFinelyAsInFull) {
+    const ExerciseDef def = config::parse_exercise(R"({"from": "let_go_port_25m",
+            "environment": {"depth": 42.7, "wind_speed": 5, "wind_from_deg": 340},
+            "ship": {"from": "general_cargo_118m"}, "ship_start": {"surge": -0.3},
+            "tackle": [{"side": "port", "windlass": {"from": "electric_46mm"},
+                        "chain": {"from": "stud_link_46mm_k3"}, "anchor": {"from": "stockless_3540"},
+                        "cable_out": 5, "brake": 1, "clutch_in": false, "stopper_closed": false}]})",
+                                                   "knocks", WINDLASS_CONFIG_DIR);
+    Drill policy(def), full(in_full(def));
+    for (Drill* drill : {&policy, &full}) {
+        drill->run(10);
+        drill->brake(0);
+        ASSERT_TRUE(drill->run_until([&] { return drill->anchor().phase == AnchorPhase::on_bottom; }, 60));
+    }
+    EXPECT_LT((policy.anchor().shackle - full.anchor().shackle).norm(), 0.01); // m; it was 1.2
+}
+
+// How long a step is goes by the state alone: where the anchor lies against its pipe is known after a step
+// only.
+TEST(Model, OfAShipAtAnchorWithTheOtherOneHomeGoesOnAlikeFromAStateThatIsBroughtBack) {
+    const ExerciseDef def = config::load_exercise(WINDLASS_CONFIG_DIR "/exercises/L28_anchor_watch.json");
+    const double dt = 1.0 / def.tick_rate_hz;
+    Exercise first(def);
+    for (int tick = 0; tick < 3000; ++tick) {
+        if (tick % 601 == 0) {
+            Exercise second = read_checkpoint(write_checkpoint(first));
+            Exercise beside = read_checkpoint(write_checkpoint(first));
+            for (int later = 0; later < 30; ++later) {
+                if (later == 7) second = read_checkpoint(write_checkpoint(second));
+                ASSERT_TRUE(second.step(dt) && beside.step(dt));
+            }
+            ASSERT_EQ(write_checkpoint(second), write_checkpoint(beside)) << tick;
+        }
+        ASSERT_TRUE(first.step(dt));
+    }
 }
 
 TEST(Model, WakesWhenTheShipPullsHerAnchorOut) {

@@ -21,6 +21,7 @@ constexpr double kHeldSpeed = 0.02;   ///< m/s, cable that is held
 constexpr double kDigging = 0.1;      ///< m within half a minute, of an anchor that digs in
 constexpr double kHeap = 0.3;         ///< m of chain under the gypsy that anyone sees
 constexpr double kWedged = 0.2;       ///< of the hawse pipe's efficiency left to a twisted cable
+constexpr double kCooled = 100;       ///< K below smoking; a hand that hunts makes a lining swing by 60
 constexpr int kMaxShackles = 1000;    ///< in a state that is brought back: more than any cable has
 
 std::string text(const char* format, double value) {
@@ -208,7 +209,8 @@ void EventDetector::call_machine(const physics::GroundTackle& tackle, const Even
     const physics::WindlassState& state = windlass.state();
     const physics::WindlassDef& def = windlass.def();
     const double speed = std::abs(state.cable_speed);
-    on_rise(hot_, state.brake.skin > physics::kFadeStart, [&] { log("brake.hot", side_, state.brake.skin); });
+    on_rise(hot_, state.brake.skin > physics::kFadeStart - (hot_ ? kCooled : 0),
+            [&] { log("brake.hot", side_, state.brake.skin); });
     on_rise(slipping_, state.brake.position > kHardOn && state.cable_speed > 0.05,
             [&] { log("brake.slipping", side_, windlass.loads().brake); });
     on_rise(tripped_, state.motor.tripped,
