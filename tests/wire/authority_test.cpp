@@ -80,6 +80,9 @@ protected:
         }
         return "";
     }
+    /// One that goes on as DDS gives it up may be given up by the server alone, and then Fast DDS 2.9.1 does
+    /// not bring them together again (docs/failures.md).
+    static void wait_beyond_the_lease() { pace(std::chrono::seconds(2)); }
     std::string last_event(const std::string& code) const {
         const auto all = onlooker_.picture().events.kept;
         const auto found =
@@ -274,6 +277,7 @@ TEST_F(Authority, LeversOfAHangingClientFallToTheNextAndComeBackWhenItGoesOn) {
     ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << instructor.text();
     instructor.signal(SIGSTOP);
     EXPECT_TRUE(comes_into_hand("trainee-1", kTraineesLever)) << server_.text();
+    wait_beyond_the_lease();
     instructor.signal(SIGCONT);
     EXPECT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << server_.text() << instructor.text();
 }
@@ -284,7 +288,7 @@ TEST_F(Authority, HandOfAClientThatWasHeldUpForLongHoldsItsLeversWhenItGoesOn) {
     ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << instructor.text();
     instructor.signal(SIGSTOP);
     ASSERT_TRUE(eventually([&] { return events("levers.lost") == 1; })) << server_.text();
-    pace(std::chrono::seconds(2)); // beyond the lease
+    wait_beyond_the_lease();
     instructor.signal(SIGCONT);
     ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << server_.text();
     const auto time = [&] { return onlooker_.picture().tackle[SIDE_PORT].load->time(); };
