@@ -105,7 +105,8 @@ void ClassRuns::record(const TrainingClass& of, const std::string& exercise) {
         try {
             instructor_.record(exercise, true);
         } catch (const gateway::Refused& refusal) {
-            instructor_.log("exercise " + exercise + " is not recorded: " + refusal.what());
+            unrecorded_[exercise] = std::string("it is not recorded: ") + refusal.what();
+            instructor_.log("exercise " + exercise + ": " + unrecorded_[exercise]);
         }
     }
     recordings_[exercise] =
@@ -127,7 +128,10 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
             }
             asked_.erase(exercise);
             if (!desks_.contains(exercise)) desks_[exercise] = std::make_unique<Desk>(member_, exercise);
-            if (each.from && is_ready(found_.at(exercise).exercise)) go_on(*each.from, exercise, now);
+            if (each.from && is_ready(found_.at(exercise).exercise))
+                go_on(*each.from, exercise, now);
+            else
+                hindered_.erase(exercise);
             record(each, exercise);
         }
     }
@@ -137,6 +141,8 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
     std::erase_if(going_on_, unwanted);
     std::erase_if(given_, unwanted);
     std::erase_if(recordings_, unwanted);
+    std::erase_if(hindered_, unwanted);
+    std::erase_if(unrecorded_, unwanted);
     carry_out();
     remove_asked(now);
 }
@@ -144,12 +150,26 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
 void ClassRuns::go_on(const Moment& from, const std::string& exercise, gateway::Clock::time_point now) {
     if (const auto asked = going_on_.find(exercise); asked != going_on_.end() && now - asked->second < kAgain)
         return;
+    if (!instructor_.can_continue()) return;
     try {
-        instructor_.continue_in(exercise, from.recording, from.position);
+        instructor_.continue_in(
+            exercise, from.recording, from.position,
+            [this, exercise](const gateway::Refused& why) { hinder(exercise, why.what()); });
         going_on_[exercise] = now;
-    } catch (const gateway::Refused& refusal) { // so many at a time
-        instructor_.log(refusal.what());
+    } catch (const gateway::Refused& refusal) {
+        hinder(exercise, refusal.what());
     }
+}
+
+/// Told in the class, and in the log where it is another reason than before: what is asked is asked again.
+void ClassRuns::hinder(const std::string& exercise, const std::string& why) {
+    if (std::exchange(hindered_[exercise], why) != why) instructor_.log("exercise " + exercise + ": " + why);
+}
+
+std::string ClassRuns::trouble(const std::string& exercise) const {
+    for (const auto* each : {&hindered_, &unrecorded_})
+        if (const auto found = each->find(exercise); found != each->end()) return found->second;
+    return "";
 }
 
 bool ClassRuns::at_their_moment(const TrainingClass& of) const {
@@ -181,7 +201,7 @@ void ClassRuns::create(const std::string& exercise, const TrainingClass& of, gat
                                     "door");
         asked_[exercise] = {server->server().to_string(), now};
     } catch (const gateway::Refused& refusal) {
-        instructor_.log(refusal.what());
+        hinder(exercise, refusal.what());
     }
 }
 

@@ -36,6 +36,9 @@ public:
     std::optional<ClassroomExercise> told(const std::string& exercise) const;
     /// What came of an exercise so far, as it was heard last: recording and marks.
     Result result(const std::string& exercise) const;
+    /// Why an exercise is not there yet, does not stand at its moment, or is not recorded; empty: nothing is
+    /// wrong.
+    std::string trouble(const std::string& exercise) const;
     std::size_t servers() const { return servers_.size(); }
 
 private:
@@ -70,6 +73,7 @@ private:
     void create(const std::string& exercise, const TrainingClass& of, gateway::Clock::time_point now);
     void carry_out();
     void remove_asked(gateway::Clock::time_point now);
+    void hinder(const std::string& exercise, const std::string& why);
 
     gateway::Gateway& instructor_;
     const wire::Participant member_;
@@ -79,6 +83,7 @@ private:
     std::map<std::string, Asked> asked_;                         // to be created, by exercise
     std::map<std::string, gateway::Clock::time_point> going_on_; // by exercise: when it was asked to
     std::map<std::string, std::string> recordings_;              // by exercise; empty: there is none
+    std::map<std::string, std::string> hindered_, unrecorded_;   // by exercise: why
     std::map<std::string, std::deque<Given>> given_;             // by exercise: what has not gone out yet
     std::map<std::string, Leaving> to_be_removed_;               // by exercise
 };

@@ -430,7 +430,8 @@ json DoorHost::class_told(const TrainingClass& told) {
                   {"time", 0},
                   {"recording", result.recording},
                   {"points", result.points ? json(*result.points) : json()},
-                  {"outcome", result.outcome}};
+                  {"outcome", result.outcome},
+                  {"trouble", runs_.trouble(exercise)}};
         if (const auto heard = runs_.told(exercise)) {
             each["state"] = static_cast<int>(heard->state());
             each["time"] = heard->time();

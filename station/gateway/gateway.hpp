@@ -9,6 +9,7 @@
 #include "station/gateway/recorder_process.hpp"
 #include "station/gateway/session.hpp"
 
+#include <functional>
 #include <future>
 
 namespace windlass::gateway {
@@ -81,9 +82,11 @@ public:
     nlohmann::json look_at_forecastle(const std::string& exercise, std::int64_t since);
 
     /// An instructor's: an exercise goes on from a moment of a recording, position s from its beginning,
-    /// paused. It is read first; what fails then goes to the log. Throws Refused, also where four wait
-    /// already.
-    void continue_in(const std::string& exercise, const std::string& recording, double position);
+    /// paused. It is read first; what fails then is told to refused, or goes to the log. Throws Refused.
+    void continue_in(const std::string& exercise, const std::string& recording, double position,
+                     std::function<void(const Refused&)> refused = {});
+    /// Whether another one may be asked for now: so many are read at a time.
+    bool can_continue() const { return continuations_.size() < 4; }
 
     /// An instructor's: records an exercise from now on, or no longer. name: of the recording; empty: one is
     /// made of the exercise's and the time. Throws Refused.
@@ -118,7 +121,8 @@ private:
         std::shared_ptr<ExerciseDesk> desk;
         PageSession* page; // nullptr: gone
         nlohmann::json id;
-        Clock::time_point until; // for an exercise that is not heard yet
+        std::function<void(const Refused&)> refused; // where no page asked
+        Clock::time_point until;                     // for an exercise that is not heard yet
     };
 
     /// What is made of a recording or an exercise's file, on its way to a page.

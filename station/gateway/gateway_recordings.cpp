@@ -92,16 +92,18 @@ void Gateway::continue_live(PageSession& page, const json& id, const std::string
     continuations_.back().id = id;
 }
 
-void Gateway::continue_in(const std::string& exercise, const std::string& recording, double position) {
+void Gateway::continue_in(const std::string& exercise, const std::string& recording, double position,
+                          std::function<void(const Refused&)> refused) {
     if (!options_.state_at) throw no_instructor("continuing a recording");
     if (!wire::is_exercise_name(exercise)) throw Refused("", "exercise", "this name", "an exercise's name");
     const auto folder = folder_of(recording);
-    if (continuations_.size() >= 4) throw Refused("", "recording", recording, "one after the other");
+    if (!can_continue()) throw Refused("", "recording", recording, "one after the other");
     continuations_.push_back({.state = std::async(std::launch::async, options_.state_at, folder, position),
                               .sample = {},
                               .desk = desk(exercise),
                               .page = nullptr,
                               .id = {},
+                              .refused = std::move(refused),
                               .until = {}});
 }
 
@@ -231,6 +233,8 @@ bool Gateway::go_on(Continuation& each, Clock::time_point now) {
     const auto refuse = [&](const Refused& refusal) {
         if (each.page != nullptr)
             each.page->tell_refused(each.id, refusal);
+        else if (each.refused)
+            each.refused(refusal);
         else
             log(refusal.what());
         return true;

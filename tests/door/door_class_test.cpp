@@ -117,6 +117,29 @@ TEST_F(Class, GoesOnFromAMomentOfAnAttemptAndIsPracticeThen) {
     EXPECT_EQ(exercise("tue")["outcome"], "practice");
 }
 
+TEST_F(Class, SaysWhyItDoesNotStandAtItsMoment) {
+    const std::string code = open_class("mon", 1, 1);
+    expect_made("mon");
+    Browser ben = trainee(code, "ben");
+    const auto exercise = [this](const char* id) { return class_told(id)["exercises"][0]; };
+    std::string recording;
+    ASSERT_TRUE(eventually([&] { return !(recording = exercise("mon")["recording"]).empty(); }));
+    ASSERT_TRUE(eventually([&] { return door_->text().find("files attached") != std::string::npos; }));
+    EXPECT_EQ(exercise("mon")["trouble"], "");
+    EXPECT_EQ(owner().post("/door/class", {{"do", "end"}, {"class", "mon"}}).status, 200);
+    ASSERT_TRUE(eventually([&] { return exercise("mon")["state"].is_null() && closed(recording); }));
+    for (const auto& file : std::filesystem::directory_iterator(folder_ / "recordings" / recording))
+        std::filesystem::resize_file(file.path(), 8); // its disk has lost it
+    const nlohmann::json asked{
+        {"do", "open"},   {"class", "tue"}, {"lesson", class_told("mon")["lesson"]},
+        {"exercises", 1}, {"crew", 1},      {"from", {{"recording", recording}, {"position", 0}}}};
+    const Answer opened = owner().post("/door/class", asked);
+    ASSERT_EQ(opened.status, 200) << opened.body;
+    EXPECT_TRUE(eventually([&] {
+        return exercise("tue")["trouble"].get<std::string>().find("this moment of it") != std::string::npos;
+    })) << exercise("tue");
+}
+
 TEST_F(Class, RecordingsEndWholeWithTheDoorAndBeginAnewWithTheNext) {
     const std::string code = open_class("mon", 1, 1);
     expect_made("mon");

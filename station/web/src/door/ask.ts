@@ -106,6 +106,8 @@ export interface ClassExercise {
   points: number | null;
   /** achieved, not_yet, not_shown; empty: not marked to the end. */
   outcome: string;
+  /** Why it is not there yet, does not stand at its moment, or is not recorded; empty: nothing is wrong. */
+  trouble: string;
 }
 
 export interface TrainingClass {

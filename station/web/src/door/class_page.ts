@@ -53,7 +53,7 @@ class ClassPage {
   private readonly code = h("div", {});
   private readonly said = h("span", { class: "said" });
   /** Of the class that is looked at, by exercise. */
-  private readonly tiles = new Map<string, { state: HTMLElement; seats: HTMLElement }>();
+  private readonly tiles = new Map<string, { state: HTMLElement; trouble: HTMLElement; seats: HTMLElement }>();
   private readonly cctv = new CctvPictures(new Connection(""));
   /** Of each part, what it was made of. */
   private readonly made = new Map<HTMLElement, string>();
@@ -248,12 +248,13 @@ class ClassPage {
     for (const { exercise } of it.exercises)
       this.tiles.set(exercise, {
         state: h("span", { class: "state" }),
+        trouble: h("p", { class: "trouble", role: "status" }),
         seats: h("div", { class: "seats" }),
       });
     return h(
       "ol",
       { class: "exercises" },
-      ...[...this.tiles].map(([exercise, { state, seats }]) =>
+      ...[...this.tiles].map(([exercise, { state, trouble, seats }]) =>
         h(
           "li",
           { class: "panel", "data-exercise": exercise },
@@ -268,6 +269,7 @@ class ClassPage {
               t("Desk"),
             ),
           ),
+          trouble,
           this.cctv.of(exercise),
           seats,
         ),
@@ -279,6 +281,7 @@ class ClassPage {
     const tile = this.tiles.get(each.exercise);
     if (!tile) return;
     setText(tile.state, each.points === null ? stateOf(each) : `${stateOf(each)}, ${marksOf(each)}`);
+    setText(tile.trouble, each.trouble);
     const seats = each.seats.map((seat) => ({ ...seat, doing: doing(each, seat) }));
     this.fill(tile.seats, [seats.map(({ place, name, doing: it }) => [place, name, it]), this.mover], () =>
       seats.map((seat) => this.seat(each, seat)),
