@@ -2,6 +2,8 @@
 
 #include "idl/payload.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -185,6 +187,9 @@ void ClassRuns::create(const std::string& exercise, const TrainingClass& of, gat
     if (servers_.empty() ||
         (asked == asked_.end() ? asked_.size() >= kAsked : now - asked->second.at < kAgain))
         return;
+    if (asked != asked_.end())
+        hinder(exercise, fmt::format("server {} was asked for it and has not made it: its log says why",
+                                     asked->second.server));
     const auto server = std::ranges::min_element(servers_, {}, [&](const ClassroomStatus& each) {
         return each.exercises().size() +
                static_cast<std::size_t>(std::ranges::count_if(

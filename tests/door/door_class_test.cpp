@@ -118,7 +118,7 @@ TEST_F(Class, GoesOnFromAMomentOfAnAttemptAndIsPracticeThen) {
 }
 
 TEST_F(Class, SaysWhyItDoesNotStandAtItsMoment) {
-    const std::string code = open_class("mon", 1, 1);
+    const std::string code = open_class("mon", 1, 1, "L01_let_go_25m");
     expect_made("mon");
     Browser ben = trainee(code, "ben");
     const auto exercise = [this](const char* id) { return class_told(id)["exercises"][0]; };
@@ -131,13 +131,24 @@ TEST_F(Class, SaysWhyItDoesNotStandAtItsMoment) {
     for (const auto& file : std::filesystem::directory_iterator(folder_ / "recordings" / recording))
         std::filesystem::resize_file(file.path(), 8); // its disk has lost it
     const nlohmann::json asked{
-        {"do", "open"},   {"class", "tue"}, {"lesson", class_told("mon")["lesson"]},
+        {"do", "open"},   {"class", "tue"}, {"lesson", "L01_let_go_25m"},
         {"exercises", 1}, {"crew", 1},      {"from", {{"recording", recording}, {"position", 0}}}};
     const Answer opened = owner().post("/door/class", asked);
     ASSERT_EQ(opened.status, 200) << opened.body;
     EXPECT_TRUE(eventually([&] {
         return exercise("tue")["trouble"].get<std::string>().find("this moment of it") != std::string::npos;
-    })) << exercise("tue");
+    })) << exercise("tue")
+        << door_->text();
+}
+
+TEST_F(Class, SaysThatAServerHasNotMadeIt) {
+    const nlohmann::json asked{{"do", "open"},   {"class", "mon"}, {"lesson", "let_go_port_25m"},
+                               {"exercises", 1}, {"crew", 1},      {"practice", true}}; // it is no lesson
+    ASSERT_EQ(owner().post("/door/class", asked).status, 200);
+    EXPECT_TRUE(eventually([&] {
+        return class_told("mon")["exercises"][0]["trouble"].get<std::string>().find("has not made it") !=
+               std::string::npos;
+    })) << class_told("mon");
 }
 
 TEST_F(Class, RecordingsEndWholeWithTheDoorAndBeginAnewWithTheNext) {
