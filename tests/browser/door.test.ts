@@ -282,11 +282,12 @@ test("with the class its seats end, and each seat's marks and debriefing are the
 
 test("of an exercise that its server does not make the class says so", async () => {
   const asked = { do: "open", class: "hindered", lesson: "let_go_port_25m", exercises: 1, crew: 1, practice: true };
-  await owner.evaluate(
-    (body) =>
-      fetch("/door/class", { method: "POST", headers: { "Content-Type": "application/json" }, body }).then(() => {}),
+  const status = await owner.evaluate(
+    async (body) =>
+      (await fetch("/door/class", { method: "POST", headers: { "Content-Type": "application/json" }, body })).status,
     JSON.stringify(asked), // no lesson: a form does not offer it
   );
+  assert.equal(status, 200);
   await on(owner, "hindered").click();
   await eventually("it says so", async () =>
     (await owner.locator(".exercises .trouble").textContent()).includes("has not made it"),
