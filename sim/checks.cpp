@@ -461,8 +461,6 @@ void Checks::look_at_levers(const run::OrderView& order, double) {
         auto left = levers.at;
         left[1] = 0;
         if (ordered != left) fail("levers", "the server moves no lever but the speed lever, to zero", name);
-        if (!left_.contains(levers.writer) && listened_ - levers.heard < kHandSilent)
-            fail("levers", fmt::format("{} is heard and has the {}", levers.source, name), "nobody has it");
         levers.at = ordered;
         levers.source.clear();
         return;
@@ -534,6 +532,11 @@ void Checks::look_at_events(const run::Session& session) {
                  fmt::format("event {}, {}", event.number, event.code));
         event_ = event.number;
         add(event.tick), add(event.code), add(event.text);
+        if (event.code != "levers.lost") continue;
+        const int group = event.side < 0 ? static_cast<int>(run::LeverGroup::helm) : event.side;
+        const Levers& levers = levers_.at(static_cast<std::size_t>(group));
+        if (!left_.contains(levers.writer) && listened_ - levers.heard < kHandSilent)
+            fail("levers", "a hand that is heard has what it holds", event.text);
     }
 }
 
