@@ -128,7 +128,7 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
                 create(exercise, each, now);
                 continue;
             }
-            asked_.erase(exercise);
+            if (asked_.erase(exercise) > 0) hindered_.erase(exercise); // it is made
             if (!desks_.contains(exercise)) desks_[exercise] = std::make_unique<Desk>(member_, exercise);
             if (each.from && is_ready(found_.at(exercise).exercise))
                 go_on(*each.from, exercise, now);

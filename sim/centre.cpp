@@ -180,8 +180,10 @@ void Centre::start() {
     stalled_until_ = 0;
     network_.serve([this](const Sent& sent) { hear(sent); },
                    [this](const wire::WriterId& writer, bool there) {
-                       there ? server_->mailbox.come(writer) : server_->mailbox.leave(writer);
-                       there ? checks_.comes(writer) : checks_.leaves(writer);
+                       if (there)
+                           server_->mailbox.come(writer), checks_.comes(writer);
+                       else
+                           server_->mailbox.leave(writer), checks_.leaves(writer);
                    });
     after(0, &Centre::beat);
     after(kWriteEvery, &Centre::write);

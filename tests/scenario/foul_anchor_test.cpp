@@ -104,9 +104,20 @@ private:
     double heading_ = 0, bearing_ = 0, turned_ = 0; // rad
 };
 
+/// The stream sets her off until the anchor is called foul: it comes home crown first, its flukes not in the
+/// ground, and holds less than half of what it does sound, 340 kN; most only slide, 29 kN.
+void until_foul(Drill& drill, double towards) {
+    drill.current(kStream, towards);
+    const AnchorView& anchor = drill.anchor();
+    ASSERT_TRUE(drill.run_until([&] { return anchor.phase == AnchorPhase::fouled; }, 1200));
+    EXPECT_LT(anchor.embedment, 0.5);
+    EXPECT_LT(anchor.holding_capacity, 1.7e5);
+}
+
 /// Anchor let go in 25 m, and the ship taken round it. The cable goes out meanwhile, in turns; or she is kept
-/// to what reaches the bottom until she has been stopped. Then a stream sets her off until the cable has come
-/// taut and the anchor holds or has been dragged 20 m: rings go out with her, or the cable as she falls back.
+/// to what reaches the bottom until she has been stopped, and it goes out as she falls back. Then a stream
+/// sets her off: until the rings foul the anchor, or the cable has come taut and it holds or was dragged 20
+/// m.
 Drill taken_round(double heading, bool veered_meanwhile) {
     constexpr double kUpAndDown = 36, kCable = 200; // m
     constexpr double kTurns = 3;
@@ -135,7 +146,10 @@ Drill taken_round(double heading, bool veered_meanwhile) {
         },
         1000);
     drill.brake(1);
-    set_off(drill, round.bearing());
+    if (veered_meanwhile)
+        until_foul(drill, round.bearing());
+    else
+        set_off(drill, round.bearing());
     return drill;
 }
 
@@ -160,7 +174,7 @@ void expect_clear(Drill drill) {
 // in rings, and drawn tight they catch it. The same ship on the same way with her brake on, stopped, and her
 // cable veered as she falls back on it, is brought up.
 TEST(FoulAnchor, CableThatGoesOutWhileSheIsTakenRoundFoulsTheAnchorAndVeeredWithSternwayDoesNot) {
-    EXPECT_GT(taken_round(kTurn / 4, true).count("anchor.fouled"), 0);
+    taken_round(kTurn / 4, true);
     expect_clear(taken_round(kTurn / 4, false));
 }
 
@@ -171,7 +185,7 @@ TEST(FoulAnchor, RingsFoulItOnEveryHeadingAndWhoseCableIsVeeredWithSternwayIsBro
     int called = 0;
     for (int quarter = 0; quarter < 4; ++quarter) {
         const double heading = quarter * kTurn / 4;
-        EXPECT_GT(taken_round(heading, true).count("anchor.fouled"), 0) << quarter;
+        taken_round(heading, true);
         Drill veered = taken_round(heading, false);
         called += std::min(veered.count("anchor.fouled"), 1);
         expect_holding(veered);
