@@ -7,7 +7,8 @@ namespace windlass::sim {
 namespace {
 
 constexpr double kDeadline = 1; // s, of levers: then the next strongest is heard
-constexpr double kLease = 5;    // s, of silence: then a program is missed (idl/network.cpp)
+constexpr double kLease = 5;    // s, of silence: then a program is missed; of idl/network.cpp a quarter,
+                                // so that many are
 
 /// Levers that have one owner at a time; -1: none.
 int levers_of(const dds::Mailbox::Sample& sample) {

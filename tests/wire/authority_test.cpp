@@ -80,9 +80,6 @@ protected:
         }
         return "";
     }
-    /// One that goes on as DDS gives it up may be given up by the server alone, and then Fast DDS 2.9.1 does
-    /// not bring them together again (docs/failures.md).
-    static void wait_beyond_the_lease() { pace(std::chrono::seconds(2)); }
     std::string last_event(const std::string& code) const {
         const auto all = onlooker_.picture().events.kept;
         const auto found =
@@ -277,18 +274,16 @@ TEST_F(Authority, LeversOfAHangingClientFallToTheNextAndComeBackWhenItGoesOn) {
     ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << instructor.text();
     instructor.signal(SIGSTOP);
     EXPECT_TRUE(comes_into_hand("trainee-1", kTraineesLever)) << server_.text();
-    wait_beyond_the_lease();
     instructor.signal(SIGCONT);
     EXPECT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << server_.text() << instructor.text();
 }
 
-// Missed by DDS, and nobody else there: its writer is the one that was there before.
+// Nobody else is there: its writer is the one that was given up.
 TEST_F(Authority, HandOfAClientThatWasHeldUpForLongHoldsItsLeversWhenItGoesOn) {
     const ChildProcess instructor(this->instructor());
     ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << instructor.text();
     instructor.signal(SIGSTOP);
     ASSERT_TRUE(eventually([&] { return events("levers.lost") == 1; })) << server_.text();
-    wait_beyond_the_lease();
     instructor.signal(SIGCONT);
     ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << server_.text();
     const auto time = [&] { return onlooker_.picture().tackle[SIDE_PORT].load->time(); };
