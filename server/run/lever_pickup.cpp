@@ -1,5 +1,6 @@
 #include "server/run/lever_pickup.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace windlass::run {
@@ -8,6 +9,8 @@ using exercise::HelmOrder;
 using exercise::WindlassOrder;
 
 namespace {
+
+constexpr std::size_t kMaxFormer = 8; // more programs of one hand than ever speak late together
 
 /// Puts the levers (members) that the hand has not moved since `then` back to where they were found. The k-th
 /// bit of moved says that the k-th of them was moved.
@@ -60,8 +63,11 @@ exercise::Order LeverPickup::taken_up(const exercise::Order& order, const Receiv
         if (lies_there) station->then = order;
     } else if (station->writer != from.writer) {
         unsigned none = 0;
-        if (lies_there && station->before == from.writer) return pick_up(order, order, none, exercise);
-        station->before = std::exchange(station->writer, from.writer);
+        auto& former = station->former;
+        if (lies_there && std::ranges::count(former, from.writer) > 0)
+            return pick_up(order, order, none, exercise);
+        if (former.size() == kMaxFormer) former.erase(former.begin());
+        former.push_back(std::exchange(station->writer, from.writer));
         if (lies_there) station->then = order, station->moved = 0;
     }
     station->last = order;

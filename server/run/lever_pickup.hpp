@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace windlass::run {
 
@@ -16,8 +17,8 @@ namespace windlass::run {
 /// found until that hand moves it, but for the speed lever, which springs to zero where the hand does not
 /// hold it as found. Such a hand had the levers at hold(), or says itself that it moved them last in another
 /// run: so a server that was started anew knows it too. A lever that another hand takes follows that hand at
-/// once. A late word of a program that was killed, behind those of the next program of its hand, moves
-/// nothing in a run that began in between.
+/// once. A late word of a program that was killed, behind those of a later program of its hand, moves nothing
+/// in a run that began in between.
 class LeverPickup {
 public:
     /// The exercise has been restored, reset or loaded.
@@ -30,7 +31,8 @@ public:
 private:
     struct Sender {
         std::string source;
-        WriterKey writer{}, before{};          ///< of its program, and of the one before it
+        WriterKey writer{};                    ///< of its program
+        std::vector<WriterKey> former{};       ///< those before it, kMaxFormer at most, the last one last
         exercise::Order last;                  ///< as the station sent it
         std::optional<exercise::Order> then{}; ///< as it lay when the run began; nothing: levers follow it
         unsigned moved = 0;                    ///< a bit for each lever that was moved since

@@ -149,13 +149,11 @@ TEST_F(SessionTest, HandThatMovedItsLeversLastInAnotherRunMovesNoneUntilItMovesO
     EXPECT_EQ(set(), 0.75) << "another hand, that says nothing of it";
 }
 
-// A network that is slow has the words of a killed program come behind those of the next, and behind a reset.
-TEST_F(SessionTest, LateWordsOfAHandsKilledProgramMoveNothingInTheNextRun) {
-    SessionOptions numbered = options();
-    numbered.first_run = 1000;
-    Session session({}, numbered);
-    const double as_filed = exercise::ExerciseDef{}.tackle[0].brake;
-    const auto say = [&](std::uint8_t program, std::uint64_t moved_in_run, double brake) {
+// A network that is slow has the words of killed programs come behind those of the next, and behind a reset.
+class LateWordsOfAHandsKilledPrograms : public SessionTest {
+protected:
+    /// Where the brake is set by the word of a program, which says in which run its hand moved a lever last.
+    double say(std::uint8_t program, std::uint64_t moved_in_run, double brake) {
         Inbox inbox;
         inbox.orders.push_back({.source = "trainee-1",
                                 .what = levers(brake),
@@ -163,7 +161,17 @@ TEST_F(SessionTest, LateWordsOfAHandsKilledProgramMoveNothingInTheNextRun) {
                                 .moved_in_run = moved_in_run});
         session.carry_out(inbox, 0);
         return std::get<exercise::WindlassOrder>(session.orders().back().command).brake;
-    };
+    }
+    static SessionOptions numbered(SessionOptions options) {
+        options.first_run = 1000;
+        return options;
+    }
+
+    Session session{{}, numbered(options())};
+    const double as_filed = exercise::ExerciseDef{}.tackle[0].brake;
+};
+
+TEST_F(LateWordsOfAHandsKilledPrograms, MoveNothingInTheNextRun) {
     EXPECT_EQ(say(1, 1000, 0.5), 0.5);
     EXPECT_EQ(say(2, 1000, 0.75), 0.75);
     give(session, run_order(RunAction::reset));
@@ -173,6 +181,17 @@ TEST_F(SessionTest, LateWordsOfAHandsKilledProgramMoveNothingInTheNextRun) {
     EXPECT_EQ(say(2, 1001, 0.625), 0.625);
     EXPECT_EQ(say(3, 1000, 0.125), 0.625) << "a third, that knew of no reset";
     EXPECT_EQ(say(3, 1001, 0), 0) << "its hand moves it";
+}
+
+TEST_F(LateWordsOfAHandsKilledPrograms, OfWhichThereWereTwoDoNotHideWhereThePresentOneLay) {
+    EXPECT_EQ(say(1, 1000, 0.5), 0.5);
+    EXPECT_EQ(say(2, 1000, 0.625), 0.625);
+    EXPECT_EQ(say(3, 1000, 0.75), 0.75);
+    give(session, run_order(RunAction::reset));
+    EXPECT_EQ(say(2, 1000, 0.625), as_filed);
+    EXPECT_EQ(say(1, 1000, 0.5), as_filed);
+    EXPECT_EQ(say(3, 1001, 0.75), as_filed) << "its hand has moved another lever since, not this one";
+    EXPECT_EQ(say(3, 1001, 0.25), 0.25);
 }
 
 TEST_F(SessionTest, HandThatLetsGoIsNotSaidToBeUnheard) {
