@@ -345,6 +345,11 @@ void Checks::comes(const wire::WriterId& writer) {
     left_.erase(writer);
 }
 
+/// A writer is there no more whose words they may have been.
+bool Checks::has_left(const Levers& levers) const {
+    return std::ranges::any_of(levers.writers, [this](const auto& writer) { return left_.contains(writer); });
+}
+
 void Checks::forget_hands() {
     for (Levers& levers : levers_) {
         levers.source.clear();
@@ -367,7 +372,7 @@ void Checks::look(const run::Session& session, const run::Inbox& inbox, double n
     if (const auto* checkpoint = session.checkpoint())
         line().checkpoints[checkpoint->tick] = run_base_ + checkpoint->orders_taken;
     for (Levers& levers : levers_) // behind what they sent
-        if (left_.contains(levers.writer)) levers.instructor = false;
+        if (has_left(levers)) levers.instructor = false;
     look_at_events(session);
     look_at_alerts(session, trouble);
     look_for_silence(session);
@@ -466,14 +471,15 @@ void Checks::look_at_levers(const run::OrderView& order, double) {
         return;
     }
     // Taken in the order in which they came; some were not heard, as an instructor had the levers.
-    const auto sent = std::find_if(heard_.begin() + taken_, heard_.end(), [&](const Sent& one) {
+    const auto may_be = [&](const Sent& one) {
         if (group_of(one.sample) != group || source_of(one.sample) != order.source) return false;
         const auto values = values_of(one.sample);
         for (std::size_t k = 0; k < values.size(); ++k)
             if (ordered[k] != values[k] && ordered[k] != levers.at[k] && !(k == 1 && ordered[k] == 0))
                 return false;
         return true;
-    });
+    };
+    const auto sent = std::find_if(heard_.begin() + taken_, heard_.end(), may_be);
     if (sent == heard_.end())
         fail("levers", fmt::format("an order to the {} that {} sent", name, order.source),
              "one that nobody sent since the last tick");
@@ -503,7 +509,9 @@ void Checks::look_at_levers(const run::OrderView& order, double) {
     levers.at = ordered;
     levers.source = order.source;
     levers.instructor = sent->instructor && !left_.contains(sent->writer); // his last word may come late
-    levers.writer = sent->writer;
+    levers.writers.clear();
+    for (auto one = sent; one != heard_.end(); ++one)
+        if (may_be(*one)) levers.writers.insert(one->writer);
     levers.heard = listened_;
 }
 
@@ -535,7 +543,7 @@ void Checks::look_at_events(const run::Session& session) {
         if (event.code != "levers.lost") continue;
         const int group = event.side < 0 ? static_cast<int>(run::LeverGroup::helm) : event.side;
         const Levers& levers = levers_.at(static_cast<std::size_t>(group));
-        if (!left_.contains(levers.writer) && listened_ - levers.heard < kHandSilent)
+        if (!has_left(levers) && listened_ - levers.heard < kHandSilent)
             fail("levers", "a hand that is heard has what it holds", event.text);
     }
 }

@@ -136,9 +136,11 @@ private:
         bool lay_there = false;     // its levers lay there as the run began
         std::array<double, 5> moved{}, lay_since{}; // s, by its last word; by its last before the run began
         bool instructor = false;
-        wire::WriterId writer{};
+        /// Whose these words were: one, but where words of two programs of a hand came together.
+        std::set<wire::WriterId> writers{};
         double heard = 0; // s of listening
     };
+    bool has_left(const Levers& levers) const;
     std::array<Levers, 3> levers_;
     std::vector<Sent> heard_;                         // levers, since the last look
     std::ptrdiff_t taken_ = 0;                        // of them, up to here

@@ -268,6 +268,19 @@ TEST(Checks, KnowARunWhoseFirstCheckpointThatIsToldHasOrdersInIt) {
     }
 }
 
+// The one's word is of a run that another followed in the same tick, and is not looked at.
+TEST(Checks, KnowALossOfAHandOfWhichTwoProgramsWereHeardTogether) {
+    Checked centre;
+    centre.order(EXERCISE_RESET);
+    centre.say(1, 1, levers(1));
+    centre.order(EXERCISE_RESET);
+    centre.say(2, 1, levers(1));
+    centre.order(EXERCISE_START);
+    centre.go_on();
+    centre.leave({2});
+    EXPECT_EQ(centre.failure(1), "");
+}
+
 TEST(Checks, CountTheSilenceOfARunFromItsBeginning) {
     Checked centre;
     centre.say(1, 1, levers(1, -0.5));
