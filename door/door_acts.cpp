@@ -67,6 +67,8 @@ void DoorHost::ask(const std::string& target, const Who& who, const Reply& reply
         return slow_.add<json>(
             options_.lessons, [](const json& list) { return answer(list); }, reply);
     if (path == "/door/marks.csv") return reply(marks(value_in(target, "class")));
+    if (path == "/door/side_by_side" && options_.side_by_side)
+        return lay_side_by_side(value_in(target, "class"), reply);
     if (path == "/door/next" && options_.next) return next(value_in(target, "class"), reply);
     if (path == "/door/debriefing" || path == "/door/what_if")
         return debrief(value_in(target, "recording"), path == "/door/what_if", reply);
@@ -107,13 +109,44 @@ bool DoorHost::made_by_a_class(const std::string& recording) const {
     });
 }
 
+namespace {
+
+gateway::Verdict as_page(std::string page) {
+    return {
+        .kind = gateway::Verdict::Kind::answer, .type = "text/html; charset=utf-8", .body = std::move(page)};
+}
+
+/// Who sat in an exercise: "anna, forecastle; ben, bridge"; its name where nobody did.
+std::string who_sat(const TrainingClass& of, const std::string& exercise) {
+    std::string who;
+    for (const Trainee& each : of.trainees)
+        if (each.exercise == exercise)
+            who += fmt::format("{}{}, {}", who.empty() ? "" : "; ", each.name, name_of(each.place));
+    return who.empty() ? exercise : who;
+}
+
+} // namespace
+
+/// Of a class that is over: of the exercises that were recorded, and that somebody sat in.
+void DoorHost::lay_side_by_side(const std::string& id, const Reply& reply) {
+    const auto* its_class = book_.find(id);
+    if (its_class == nullptr || !its_class->over) return reply(refused(404, "no class of that name is over"));
+    std::vector<ExerciseMade> made;
+    for (const std::string& exercise : its_class->exercises) {
+        const auto result = its_class->results.find(exercise);
+        const std::string recording =
+            result == its_class->results.end() ? std::string() : result->second.recording;
+        const std::string who = who_sat(*its_class, exercise);
+        if (!recording.empty() || who != exercise) made.push_back({.who = who, .recording = recording});
+    }
+    slow_.add<std::string>(
+        [make = options_.side_by_side, title = id + " side by side", made] { return make(title, made); },
+        as_page, reply);
+}
+
 /// Of a recording that a class has made, and no other.
 void DoorHost::debrief(const std::string& recording, bool what_if, const Reply& reply) {
     if (!made_by_a_class(recording)) return reply(refused(404, "no class has such a recording"));
-    const auto as_page = [](std::string page) {
-        return Verdict{
-            .kind = Verdict::Kind::answer, .type = "text/html; charset=utf-8", .body = std::move(page)};
-    };
     if (what_if) return reply(as_page(options_.what_if(recording)));
     slow_.add<std::string>(
         [make = options_.debriefing, recording] { return make(recording, "what_if?recording=" + recording); },

@@ -25,6 +25,12 @@ struct AttemptMade {
     std::vector<Trainee> seats; ///< that were taken at the end
 };
 
+/// One exercise of a class that is over.
+struct ExerciseMade {
+    std::string who;       ///< "anna, forecastle; ben, bridge"; its name where nobody sat there
+    std::string recording; ///< its name; empty: none was made
+};
+
 struct DoorOptions {
     std::filesystem::path state;    ///< folder: people, classes, audit log
     std::string exercise;           ///< that staff's pages show unless they name another
@@ -35,6 +41,9 @@ struct DoorOptions {
     /// The page of a recording's debriefing, by the recording's name. The same.
     /// what_if: address of the page below.
     std::function<std::string(const std::string& recording, const std::string& what_if)> debriefing;
+    /// The page of a class side by side, each exercise leading to its debriefing. On a thread of its own.
+    std::function<std::string(const std::string& title, const std::vector<ExerciseMade>& exercises)>
+        side_by_side = {};
     /// That page with what would have kept lost points, or how far the search is. On the network's thread.
     std::function<std::string(const std::string& recording)> what_if;
     /// Puts an attempt into the history, or brings it up to date there. The same.
@@ -135,6 +144,7 @@ private:
     gateway::Verdict marks(const std::string& id) const;
     void next(const std::string& id, const Reply& reply);
     void debrief(const std::string& recording, bool what_if, const Reply& reply);
+    void lay_side_by_side(const std::string& id, const Reply& reply);
     bool made_by_a_class(const std::string& recording) const;
     void let_in(const Who& who, const Json& asked, const Reply& reply);
     void log_out_all(const std::string& name);

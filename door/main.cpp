@@ -5,6 +5,7 @@
 #include "door/private_file.hpp"
 #include "door/secrets.hpp"
 #include "door/tls_server.hpp"
+#include "instructor_console/debrief_page.hpp"
 #include "instructor_console/history/history.hpp"
 #include "instructor_console/lesson_files.hpp"
 #include "instructor_console/pages.hpp"
@@ -386,6 +387,17 @@ int run(Options options) {
              [debrief_of, recordings = options.recordings](const std::string& recording,
                                                            const std::string& what_if) {
                  return debrief_of(recordings / recording, what_if);
+             },
+         .side_by_side =
+             [recordings = options.recordings](const std::string& title,
+                                               const std::vector<door::ExerciseMade>& exercises) {
+                 std::vector<console::RecordedExercise> recorded;
+                 for (const auto& [who, recording] : exercises)
+                     recorded.push_back(
+                         {.who = who,
+                          .link = "debriefing?recording=" + recording,
+                          .recording = recording.empty() ? fs::path() : recordings / recording});
+                 return console::side_by_side_page(title, recorded);
              },
          .what_if = [what_if_of, recordings = options.recordings](
                         const std::string& recording) { return what_if_of(recordings / recording); },

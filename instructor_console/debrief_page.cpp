@@ -3,6 +3,7 @@
 #include "recorder/debrief/page.hpp"
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/debrief/scenes.hpp"
+#include "recorder/debrief/side_by_side.hpp"
 #include "recorder/ghost.hpp"
 #include "recorder/remedies.hpp"
 
@@ -54,6 +55,22 @@ std::string waiting_page(const fs::path& recording, const std::string& words, bo
 std::string debrief_page(const fs::path& path, const fs::path& config, const std::string& what_if) {
     recording::Recording recording({path});
     return page_of(recording, config, {.links = beside(what_if)});
+}
+
+std::string side_by_side_page(const std::string& title, const std::vector<RecordedExercise>& exercises) {
+    std::deque<debrief::Attempt> attempts;
+    std::vector<debrief::Beside> all;
+    for (const auto& [who, link, path] : exercises) {
+        debrief::Beside one{.who = who, .link = link, .missing = "was not recorded"};
+        if (!path.empty()) try {
+                recording::Recording recording({path});
+                one.attempt = &attempts.emplace_back(debrief::read_attempt(recording));
+            } catch (const std::exception& error) {
+                one.missing = std::string("cannot be read: ") + error.what();
+            }
+        all.push_back(std::move(one));
+    }
+    return debrief::side_by_side_page(title, all);
 }
 
 WhatIfPages::WhatIfPages(fs::path config, bool beside)

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace windlass::console {
 
@@ -17,6 +18,15 @@ namespace windlass::console {
 /// be read.
 std::string debrief_page(const std::filesystem::path& recording, const std::filesystem::path& config,
                          const std::string& what_if);
+
+/// One exercise of a class, and where the debriefing above of it is served.
+struct RecordedExercise {
+    std::string who, link;
+    std::filesystem::path recording; ///< empty: it was not recorded
+};
+
+/// What came of a class, side by side. A recording that cannot be read is left out, and the page says so.
+std::string side_by_side_page(const std::string& title, const std::vector<RecordedExercise>& exercises);
 
 /// The same pages with what would have kept each lost point, searched for in one recording after the other.
 /// The kMost that were asked for last are kept.

@@ -27,6 +27,7 @@ void add_info(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_control(CLI::App& app, Command& chosen);
 void add_debrief(CLI::App& app, Command& chosen);
+void add_class(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_assess(CLI::App& app, Command& chosen);
 void add_blind(CLI::App& app, Command& chosen);

@@ -6,6 +6,7 @@
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/debrief/records.hpp"
 #include "recorder/debrief/scenes.hpp"
+#include "recorder/debrief/side_by_side.hpp"
 #include "recorder/ghost.hpp"
 #include "recorder/remedies.hpp"
 
@@ -112,7 +113,39 @@ int debrief_recording(const DebriefOptions& options) {
     return whole ? kOk : kDamaged;
 }
 
+struct ClassOptions {
+    std::vector<fs::path> recordings;
+    std::string title = "A class side by side";
+    fs::path output = "class.html";
+};
+
+int lay_side_by_side(const ClassOptions& options) {
+    bool whole = true;
+    std::vector<debrief::Attempt> attempts;
+    for (const auto& path : options.recordings)
+        attempts.push_back(read({path}, 0, whole, false));
+    std::vector<debrief::Beside> all;
+    for (const auto& attempt : attempts)
+        all.push_back({.who = attempt.origin.recording, .attempt = &attempt});
+    write(options.output, debrief::side_by_side_page(options.title, all));
+    return whole ? kOk : kDamaged;
+}
+
 } // namespace
+
+void add_class(CLI::App& app, Command& chosen) {
+    auto options = std::make_shared<ClassOptions>();
+    CLI::App& sub = *app.add_subcommand(
+        "class", "recordings of one lesson side by side: marks, criteria, who did what when");
+    sub.add_option("recordings", options->recordings, "folders of recordings, one an exercise")
+        ->required()
+        ->expected(1, 64);
+    sub.add_option("--title", options->title, "of the page")->capture_default_str();
+    sub.add_option("-o,--output", options->output, "the page; - is stdout")->capture_default_str();
+    sub.footer("Of each recording the last run. The page is one file, as a debriefing is.\n"
+               "Exit codes: 0 done, 1 failed, 2 bad option, 3 damaged: made of what could be read.");
+    sub.callback([&chosen, options] { chosen = [options] { return lay_side_by_side(*options); }; });
+}
 
 void add_debrief(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<DebriefOptions>();

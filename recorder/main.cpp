@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     add_replay(app, chosen);
     add_control(app, chosen);
     add_debrief(app, chosen);
+    add_class(app, chosen);
     add_export(app, chosen);
     add_assess(app, chosen);
     add_blind(app, chosen);

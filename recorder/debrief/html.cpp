@@ -1,6 +1,9 @@
 #include "recorder/debrief/html.hpp"
 
 #include "common/text.hpp"
+#include "recorder/debrief/page_style.hpp"
+
+#include <fmt/format.h>
 
 namespace windlass::debrief {
 
@@ -35,6 +38,15 @@ Cell text_cell(std::string_view text) {
 }
 Cell figure_cell(std::string_view text) {
     return {escaped(text), true};
+}
+
+std::string document(std::string_view title, std::string_view body, std::string_view style,
+                     std::string_view in_head) {
+    return fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                       "{}<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n"
+                       "{}</main>\n</body>\n</html>\n",
+                       in_head, escaped(title), kStyle, style, body);
 }
 
 std::string table(std::string_view caption, const std::vector<std::string>& columns,

@@ -18,6 +18,11 @@ struct Cell {
 Cell text_cell(std::string_view text);
 Cell figure_cell(std::string_view text);
 
+/// A whole document that looks like a debriefing. style: what this one has beside that; in_head: markup for
+/// its head, body: of its main part.
+std::string document(std::string_view title, std::string_view body, std::string_view style = {},
+                     std::string_view in_head = {});
+
 /// A table with a caption, header cells with their scope, and of each row the first cell as its header.
 std::string table(std::string_view caption, const std::vector<std::string>& columns,
                   const std::vector<std::vector<Cell>>& rows);

@@ -28,13 +28,6 @@ std::string in_address(std::string_view text) {
     return address;
 }
 
-std::string head(const std::string& title, bool ghost, std::string_view more) {
-    return fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                       "{}<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<main>\n",
-                       more, escaped(title), kStyle, ghost ? kGhostStyle : std::string_view());
-}
-
 TensionLimits limits_of(const Attempt& attempt, const PageOptions& options) {
     std::vector<SceneAt> scenes = attempt.scenes;
     if (options.remedies)
@@ -43,8 +36,6 @@ TensionLimits limits_of(const Attempt& attempt, const PageOptions& options) {
                 if (scene) scenes.push_back(*scene);
     return tension_limits(scenes);
 }
-
-constexpr const char* kFoot = "</main>\n</body>\n</html>\n";
 
 } // namespace
 
@@ -78,18 +69,18 @@ std::string page_of(const Attempt& attempt, const PageOptions& options) {
     const PageContext page{attempt, options, moments_of(attempt), limits_of(attempt, options)};
     const std::string title =
         fmt::format("Debrief: {}", attempt.title.empty() ? attempt.exercise : attempt.title);
-    std::string html =
-        head(fmt::format("{} ({})", title, attempt.origin.recording), options.ghost.has_value(), "") +
-        fmt::format("<h1>{}</h1>\n", escaped(title));
+    std::string html = fmt::format("<h1>{}</h1>\n", escaped(title));
     for (const auto part : {summary_part, result_part, moments_part, pictures_part, plots_part,
                             comparison_part, talk_part, events_part, ahead_part, origin_part})
         html += part(page);
-    return html + kFoot;
+    return document(fmt::format("{} ({})", title, attempt.origin.recording), html,
+                    options.ghost ? kGhostStyle : std::string_view());
 }
 
 std::string waiting_page(const std::string& title, const std::string& words, bool again) {
-    return head(title, false, again ? "<meta http-equiv=\"refresh\" content=\"2\">\n" : "") +
-           fmt::format("<h1>{}</h1>\n<p role=\"status\">{}</p>\n", escaped(title), escaped(words)) + kFoot;
+    return document(title,
+                    fmt::format("<h1>{}</h1>\n<p role=\"status\">{}</p>\n", escaped(title), escaped(words)),
+                    {}, again ? "<meta http-equiv=\"refresh\" content=\"2\">\n" : "");
 }
 
 } // namespace windlass::debrief

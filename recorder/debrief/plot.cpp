@@ -87,8 +87,8 @@ std::string axes(const Plot& plot, const Frame& frame, double labels) {
         svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", frame.x(time),
                            labels, time_figure(time, time_step));
     }
-    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">time of exercise, m:ss</text>",
-                       frame.right, labels + 15);
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", frame.right,
+                       labels + 15, escaped(plot.axis));
     if (!plot.unit.empty())
         svg +=
             fmt::format("<text x=\"14\" y=\"{:.1f}\" transform=\"rotate(-90 14 {:.1f})\" "

@@ -35,9 +35,10 @@ struct PlotFlag {
 struct Plot {
     std::string id; ///< of the element, unique in the page
     std::string title, unit, sentence;
-    double from = 0, to = 0; ///< s of exercise
-    double height = 170;     ///< px, between its axes
-    bool from_zero = true;   ///< its axis has 0 in it; false: no more than the lines need
+    double from = 0, to = 0; ///< s of exercise, or from what the axis says
+    std::string axis = "time of exercise, m:ss";
+    double height = 170;   ///< px, between its axes
+    bool from_zero = true; ///< its axis has 0 in it; false: no more than the lines need
     std::vector<PlotLine> lines;
     std::vector<PlotStrip> strips;
     std::vector<PlotFlag> flags;

@@ -41,6 +41,7 @@ std::string figure(double value, double step) {
 }
 
 std::string time_figure(double seconds, double step) {
+    if (seconds <= -step / 2) return '-' + time_figure(-seconds, step);
     if (step >= 1) return station::clock(seconds + 1e-6);
     const double whole = std::floor(seconds + 1e-6);
     return fmt::format("{}.{:.0f}", station::clock(whole), std::abs(seconds - whole) * 10);

@@ -17,7 +17,7 @@ double round_step(double length, int parts);
 double round_time_step(double seconds, int parts);
 /// A figure with as many decimals as a step of that size needs.
 std::string figure(double value, double step);
-/// m:ss, and tenths where the step is below a second.
+/// m:ss, and tenths where the step is below a second; with a minus below 0.
 std::string time_figure(double seconds, double step);
 
 /// The line without points that lie within `off` px of what is left (Douglas and Peucker 1973).

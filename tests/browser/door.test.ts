@@ -7,6 +7,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
+import type { Page } from "playwright-core";
+
 import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
 import { hadNoProblems, passesAxe } from "./pages";
 import { Rig, eventually } from "./rig";
@@ -19,7 +21,7 @@ let door: Awaited<ReturnType<Rig["door"]>>;
 let owner: TestPage, phone: TestPage, tablet: TestPage;
 
 const on = (page: TestPage, name: string) => page.getByRole("button", { name, exact: true });
-const look = async (page: TestPage, name: string) => {
+const look = async (page: Page, name: string) => {
   if (picture) await page.screenshot({ path: join(picture, `${name}.png`) });
 };
 const seat = (exercise: string, place: string) =>
@@ -240,6 +242,14 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await eventually("it is talked over", async () =>
     (await debriefing.locator("main").textContent()).includes("Let go the port anchor"),
   );
+  const aside = owner.getByRole("link", { name: "The class side by side" });
+  const [beside] = await Promise.all([owner.waitForEvent("popup"), aside.click()]);
+  await beside.getByRole("heading", { name: "Who did what when" }).waitFor();
+  await passesAxe(beside);
+  await look(beside, "class_side_by_side");
+  await beside.getByRole("link", { name: /carla/ }).click();
+  await eventually("each leads to its debriefing", () => beside.url().includes("/door/debriefing?recording="));
+  await beside.close();
   await debriefing.locator('a[href^="/replay?"]').first().click();
   await eventually("its times open the replay", () => debriefing.url().includes("/instructor?exercise=replay-"));
   await row.getByRole("button", { name: /^Again from \d+:\d\d$/ }).click();

@@ -39,6 +39,8 @@ TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver)
         << "nobody has done anything: limits that are kept so far earn nothing";
     EXPECT_EQ(ben.get("/door/debriefing?recording=" + recording).status, 403)
         << "his is the instructor's to show";
+    EXPECT_EQ(ben.get("/door/side_by_side?class=mon").status, 403);
+    EXPECT_EQ(owner().get("/door/side_by_side?class=mon").status, 404) << "not before it is over";
     EXPECT_EQ(owner().post("/door/class", {{"do", "end"}, {"class", "mon"}}).status, 200);
     ASSERT_TRUE(eventually([&] { return exercise(0)["state"].is_null() && exercise(1)["state"].is_null(); }))
         << "removed";
@@ -55,6 +57,12 @@ TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver)
     EXPECT_EQ(what_if.status, 200) << what_if.body;
     EXPECT_THAT(what_if.body, HasSubstr("<h1>What would have kept lost points: " + recording + "</h1>"));
     EXPECT_EQ(ben.get("/door/what_if?recording=" + recording).status, 401) << "his class is over";
+    const Answer side_by_side = owner().get("/door/side_by_side?class=mon");
+    EXPECT_EQ(side_by_side.status, 200) << side_by_side.body;
+    EXPECT_THAT(side_by_side.body, HasSubstr("<a href=\"debriefing?recording=" + recording + "\">ben, ship"));
+    EXPECT_THAT(side_by_side.body, HasSubstr(">Who did what when</h2>"));
+    EXPECT_EQ(ben.get("/door/side_by_side?class=mon").status, 401) << "his class is over";
+    EXPECT_EQ(owner().get("/door/side_by_side?class=tue").status, 404);
     // Into the history by itself, with who sat there.
     EXPECT_TRUE(eventually([&] {
         return content(folder_ / "door/classes.json").find("\"in_history\": true") != std::string::npos;

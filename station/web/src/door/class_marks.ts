@@ -123,6 +123,11 @@ export function classMarks(it: TrainingClass, open?: Open): HTMLElement {
       h("tbody", {}, ...rows),
     ),
     open ? list : "",
-    h("p", {}, h("a", { href: `/door/marks.csv?class=${it.id}`, download: `${it.id}.csv` }, t("As a table (CSV)"))),
+    h(
+      "p",
+      { class: "row" },
+      h("a", { href: `/door/side_by_side?class=${it.id}`, target: "_blank" }, t("The class side by side")),
+      h("a", { href: `/door/marks.csv?class=${it.id}`, download: `${it.id}.csv` }, t("As a table (CSV)")),
+    ),
   );
 }

@@ -1,0 +1,153 @@
+// A class side by side: what the page says of each exercise is what its recording has.
+
+#include "recorder/debrief/read_attempt.hpp"
+#include "recorder/debrief/side_by_side.hpp"
+
+#include "tests/recorder/debriefed.hpp"
+#include "tests/recorder/folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+
+namespace windlass::debrief {
+namespace {
+
+using test::DebriefedRun;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+class SideBySide : public testing::Test {
+protected:
+    Attempt attempt_of(const DebriefedRun& of = {}) {
+        const auto path = folder_ / ("recording-" + std::to_string(++made_));
+        recorder::Tape tape({.folder = path});
+        test::write_run(tape, of);
+        tape.close({});
+        recording::Recording recording({path});
+        return read_attempt(recording);
+    }
+    /// The criterion of that number earned so much.
+    static void give(Attempt& attempt, std::size_t criterion, unsigned milli) {
+        Criterion& given = attempt.assessment->criteria().at(criterion);
+        given.counted(milli);
+        given.milli(milli);
+        given.met(milli >= 500);
+    }
+    static std::string page_of(const std::vector<const Attempt*>& attempts) {
+        std::vector<Beside> all;
+        for (const Attempt* attempt : attempts)
+            all.push_back({.who = "Anna & " + std::to_string(all.size() + 1),
+                           .link = "debriefing?recording=" + attempt->origin.recording,
+                           .attempt = attempt});
+        return side_by_side_page("Class", all);
+    }
+    /// The cells of the row that begins with that text.
+    static std::vector<std::string> row(const std::string& page, const std::string& first) {
+        const auto at = page.find("<th scope=\"row\">" + first);
+        if (at == page.npos) return {};
+        const std::string html = page.substr(at, page.find("</tr>", at) - at);
+        static const std::regex cell("<td[^>]*>(.*?)</td>");
+        std::vector<std::string> cells;
+        for (std::sregex_iterator found(html.begin(), html.end(), cell), end; found != end; ++found)
+            cells.push_back((*found)[1]);
+        return cells;
+    }
+
+    const test::Folder folder_;
+    int made_ = 0;
+};
+
+TEST_F(SideBySide, EachCriterionHasItsPointsAndHowTheyAreSpread) {
+    const Attempt first = attempt_of();
+    Attempt second = attempt_of(), third = attempt_of();
+    give(second, 1, 1000);
+    give(third, 1, 0);
+    const std::string page = page_of({&first, &second, &third});
+    // 15 of the 50 that were in play: 30 of 100 points.
+    EXPECT_THAT(row(page, "fall: criterion fall"),
+                ElementsAre("6 at 0:33", "30", "0 at 0:33", "18.0",
+                            "<span class=\"squares\" aria-hidden=\"true\">\u25e7\u25a0\u25a1</span> "
+                            "1 whole, 1 in part, 1 none"));
+    EXPECT_THAT(row(page, "later: criterion later"), ElementsAre("-", "-", "-", "", "not in play"));
+}
+
+TEST_F(SideBySide, WhatLostMostPointsStandsFirst) {
+    const Attempt first = attempt_of(), second = attempt_of();
+    const std::string page = page_of({&first, &second});
+    const auto place = [&](const char* criterion) { return page.find(std::string(">") + criterion + ": "); };
+    EXPECT_LT(place("fall"), place("report")); // 24 and 10 points of each
+    EXPECT_LT(place("report"), place("clutch"));
+}
+
+TEST_F(SideBySide, DeedsAreToldFromLettingGo) {
+    const Attempt early = attempt_of(), late = attempt_of({.let_go = 16});
+    const std::string page = page_of({&early, &late});
+    EXPECT_THAT(row(page, "reported: on the bottom"), ElementsAre("+0:17", "+0:11"));
+    EXPECT_THAT(row(page, "carried out: let go"), ElementsAre("+0:04", "-0:02"));
+    EXPECT_THAT(page, HasSubstr("from letting go on, m:ss"));
+}
+
+TEST_F(SideBySide, WhatOneNeverDidIsEmpty) {
+    const Attempt does = attempt_of();
+    Attempt never = attempt_of();
+    never.reports.clear();
+    EXPECT_THAT(row(page_of({&does, &never}), "reported: on the bottom"), ElementsAre("+0:17", ""));
+}
+
+TEST_F(SideBySide, WhereNotAllLetGoTheFirstFaultIsWhereAllBegin) {
+    const Attempt first = attempt_of();
+    Attempt second = attempt_of();
+    std::erase_if(second.events, [](const Event& event) { return event.code() == "anchor.let_go"; });
+    const Zero zero = zero_of({{.who = "", .attempt = &first}, {.who = "", .attempt = &second}});
+    EXPECT_EQ(zero.words, "the first fault");
+    EXPECT_THAT(zero.times, ElementsAre(30, 30));
+}
+
+TEST_F(SideBySide, CablesOfMoreThanFourAreTheirSpread) {
+    const Attempt early = attempt_of(), late = attempt_of({.let_go = 20});
+    const std::string few = page_of({&early, &late}), many = page_of({&early, &early, &late, &late, &late});
+    EXPECT_THAT(few, HasSubstr("no. 1: 105.4 m at the end. no. 2: 85.4 m at the end."));
+    EXPECT_THAT(few, Not(HasSubstr("median")));
+    EXPECT_THAT(many, HasSubstr("median"));
+    EXPECT_THAT(many, HasSubstr(">no. 5</text>")); // each has its row of the brake all the same
+}
+
+TEST_F(SideBySide, AttemptsAtAnotherLessonAreLeftOut) {
+    const Attempt first = attempt_of();
+    Attempt other = attempt_of();
+    other.assessment->lesson_hash(0xdef);
+    const std::string page = page_of({&first, &other});
+    EXPECT_THAT(page, HasSubstr("Anna &amp; 2 is left out: it is of another version of"));
+    EXPECT_THAT(row(page, "reported: on the bottom"), ElementsAre("+0:17"));
+}
+
+TEST_F(SideBySide, WhoWasNotRecordedIsSaid) {
+    const Attempt first = attempt_of();
+    const std::string page = side_by_side_page(
+        "Class", {{.who = "Ben", .missing = "was not recorded"}, {.who = "Anna", .attempt = &first}});
+    EXPECT_THAT(page, HasSubstr("Ben is left out: it was not recorded."));
+    EXPECT_THAT(row(page, "reported: on the bottom"), ElementsAre("+0:17"));
+}
+
+TEST_F(SideBySide, EachLeadsToItsDebriefing) {
+    const Attempt first = attempt_of();
+    EXPECT_THAT(page_of({&first}),
+                HasSubstr("<a href=\"debriefing?recording=recording-1\">Anna &amp; 1</a>"));
+}
+
+TEST_F(SideBySide, WithoutMarksDeedsAreThere) {
+    const Attempt first = attempt_of({.assessed = false});
+    const std::string page = page_of({&first});
+    EXPECT_THAT(page, HasSubstr("Nothing was assessed."));
+    EXPECT_THAT(row(page, "anchor let go"), ElementsAre("+0:00"));
+}
+
+TEST_F(SideBySide, OfNobodyItSaysSo) {
+    EXPECT_THAT(page_of({}), HasSubstr("There is no recording."));
+}
+
+} // namespace
+} // namespace windlass::debrief
