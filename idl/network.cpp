@@ -40,9 +40,9 @@ std::int32_t participant_number() {
 }
 
 /// What all ways have in common: UDP, and a member that is gone is missed after 20 s. Until then one that was
-/// held up goes on as if nothing had been; after that Fast DDS 2.9.1 may not bring it together with the others
-/// again (docs/failures.md), so it is longer than a worker may hang (workers::Limits::silence). Who is silent is
-/// told by what is heard of him, far sooner: of hands kHandSilent.
+/// held up goes on as if nothing had been; after that Fast DDS 2.9.1 may not bring it together with the
+/// others again (docs/failures.md), so it is longer than a worker may hang (workers::Limits::silence). Who is
+/// silent is told by what is heard of him, far sooner: of hands kHandSilent.
 dds::DomainParticipantQos common(const std::shared_ptr<UDPv4TransportDescriptor>& udp) {
     constexpr std::uint32_t kSocketBuffer = 1024 * 1024;
     dds::DomainParticipantQos qos;
