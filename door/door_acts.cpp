@@ -116,12 +116,14 @@ gateway::Verdict as_page(std::string page) {
         .kind = gateway::Verdict::Kind::answer, .type = "text/html; charset=utf-8", .body = std::move(page)};
 }
 
-/// Who sat in an exercise: "anna, forecastle; ben, bridge"; its name where nobody did.
+/// Who sat in an exercise: "anna", "anna, forecastle; ben, bridge"; its name where nobody did.
 std::string who_sat(const TrainingClass& of, const std::string& exercise) {
     std::string who;
-    for (const Trainee& each : of.trainees)
-        if (each.exercise == exercise)
-            who += fmt::format("{}{}, {}", who.empty() ? "" : "; ", each.name, name_of(each.place));
+    for (const Trainee& each : of.trainees) {
+        if (each.exercise != exercise) continue;
+        who += (who.empty() ? "" : "; ") + each.name;
+        if (of.crew > 1) who += std::string(", ") + name_of(each.place);
+    }
     return who.empty() ? exercise : who;
 }
 

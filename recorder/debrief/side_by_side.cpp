@@ -8,6 +8,7 @@
 #include "recorder/debrief/said.hpp"
 #include "recorder/debrief/scale.hpp"
 #include "station/format.hpp"
+#include "station/names.hpp"
 #include "words/words.hpp"
 
 #include <fmt/format.h>
@@ -218,6 +219,12 @@ std::string in_words(std::string_view name) {
     return words;
 }
 
+/// Without what the bridge added ("I say again"): it is the same order.
+std::string order_words(BridgeOrder order) {
+    if (order.code() != BRIDGE_ORDER_TEXT) order.text("");
+    return station::words(order);
+}
+
 /// Orders, what came of them, reports, brakes, and what the anchor did, each the first time.
 std::vector<Deed> deeds_of(const Class& of) {
     std::vector<Deed> all;
@@ -230,10 +237,11 @@ std::vector<Deed> deeds_of(const Class& of) {
             if (!deed->times[i] || *time < *deed->times[i]) deed->times[i] = time;
         };
         const Attempt& attempt = of.at(i);
-        for (const OrderSaid& order : orders_said(attempt)) {
-            add("the bridge orders: " + order.words, order.given);
-            add("carried out: " + order.words, order.done);
-        }
+        for (const auto& [order, changed] : attempt.orders)
+            add("the bridge orders: " + order_words(order), order.time());
+        for (const OrderSaid& said : orders_said(attempt))
+            for (const auto& [order, changed] : attempt.orders)
+                if (order.number() == said.number) add("carried out: " + order_words(order), said.done);
         for (const ReportSaid& report : reports_said(attempt))
             add("reported: " + in_words(report.code), report.time);
         for (const Event& event : attempt.events) {
@@ -352,10 +360,17 @@ std::string plot_part(const Class& of) {
 Zero zero_of(const std::vector<Beside>& all) {
     for (const auto& [event, words] :
          {std::pair{"anchor.let_go", "letting go"}, std::pair{"fault.active", "the first fault"}}) {
-        Zero zero{.times = {}, .words = words};
+        std::vector<double> times;
         for (const Beside& each : all)
-            if (const Event* found = each.attempt->event(event)) zero.times.push_back(found->time());
-        if (!all.empty() && zero.times.size() == all.size()) return zero;
+            if (const Event* found = each.attempt->event(event)) times.push_back(found->time());
+        if (times.empty()) continue;
+        std::ranges::sort(times);
+        Zero zero{.times = std::vector<double>(all.size(), times[times.size() / 2]), .words = words};
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (const Event* found = all[i].attempt->event(event)) zero.times[i] = found->time();
+        if (times.size() < all.size())
+            zero.words += " (who never did: from when the middle one of the others did)";
+        return zero;
     }
     return {.times = std::vector<double>(all.size(), 0.0), .words = "the exercise's beginning"};
 }

@@ -7,14 +7,15 @@ namespace windlass::debrief {
 
 /// One exercise of a class.
 struct Beside {
-    std::string who;                  ///< "Anna, forecastle; Ben, bridge"
+    std::string who = {};             ///< "Anna, forecastle; Ben, bridge"
     std::string link = {};            ///< address of its debriefing; empty: none
     const Attempt* attempt = nullptr; ///< nullptr: there is none
     std::string missing = {};         ///< why there is none: "was not recorded"
 };
 
-/// From when each is told: letting go where all let go, else the first fault where all had one, else the
-/// beginning of the exercise. Each has an attempt.
+/// From when each is told: letting go where one let go, else the first fault where one had one, else the
+/// beginning of the exercise. Who never did is told from when the middle one of the others did. Each has an
+/// attempt.
 struct Zero {
     std::vector<double> times; ///< s of exercise, of each
     std::string words;         ///< "letting go"

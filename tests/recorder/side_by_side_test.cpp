@@ -97,13 +97,31 @@ TEST_F(SideBySide, WhatOneNeverDidIsEmpty) {
     EXPECT_THAT(row(page_of({&does, &never}), "reported: on the bottom"), ElementsAre("+0:17", ""));
 }
 
-TEST_F(SideBySide, WhereNotAllLetGoTheFirstFaultIsWhereAllBegin) {
-    const Attempt first = attempt_of();
-    Attempt second = attempt_of();
-    std::erase_if(second.events, [](const Event& event) { return event.code() == "anchor.let_go"; });
-    const Zero zero = zero_of({{.who = "", .attempt = &first}, {.who = "", .attempt = &second}});
-    EXPECT_EQ(zero.words, "the first fault");
-    EXPECT_THAT(zero.times, ElementsAre(30, 30));
+TEST_F(SideBySide, WhoNeverLetGoIsToldFromWhenTheOthersDid) {
+    const Attempt early = attempt_of(), late = attempt_of({.let_go = 16});
+    Attempt never = attempt_of();
+    std::erase_if(never.events, [](const Event& event) { return event.code() == "anchor.let_go"; });
+    const Zero zero = zero_of({{.attempt = &early}, {.attempt = &never}, {.attempt = &late}});
+    EXPECT_THAT(zero.words, HasSubstr("letting go (who never did: "));
+    EXPECT_THAT(zero.times, ElementsAre(10, 16, 16));
+}
+
+TEST_F(SideBySide, WhereNobodyLetGoTheFirstFaultIsTheBeginning) {
+    Attempt attempt = attempt_of();
+    std::erase_if(attempt.events, [](const Event& event) { return event.code() == "anchor.let_go"; });
+    EXPECT_EQ(zero_of({{.attempt = &attempt}}).words, "the first fault");
+    attempt.events.clear();
+    EXPECT_THAT(zero_of({{.attempt = &attempt}}).times, ElementsAre(0));
+}
+
+TEST_F(SideBySide, AnOrderThatIsGivenAgainIsNoOther) {
+    Attempt attempt = attempt_of();
+    attempt.orders.push_back(attempt.orders.at(0));
+    attempt.orders.back().order.number(2);
+    attempt.orders.back().order.text("I say again");
+    attempt.orders.back().order.time(20);
+    EXPECT_THAT(row(page_of({&attempt}), "the bridge orders: let go port anchor"), ElementsAre("-0:02"));
+    EXPECT_THAT(page_of({&attempt}), Not(HasSubstr("say again")));
 }
 
 TEST_F(SideBySide, CablesOfMoreThanFourAreTheirSpread) {

@@ -1,0 +1,369 @@
+// A class at the door, from the log-in to the history: Chromium contexts join by code, and as many hands, twelve at most,
+// play L01 in real time through the page's own controls, each in its own way. Writes what came of it as Markdown on
+// stdout, and pictures of the instructor's pages into FOLDER; not a test. Seats draw no picture (?picture=off): of a
+// class each computer draws its own. Even so a page takes an eighth of a core here: two cores carry five, with the
+// server, not twelve.
+//
+// usage: build/release/bin/own_domain node station/web/tools/ts.mjs bench/class_at_the_door.ts FOLDER [HANDS]   (after a build; about 18 min)
+
+import assert from "node:assert/strict";
+import { mkdirSync } from "node:fs";
+import { mkdtemp, rm } from "node:fs/promises";
+import { cpus, loadavg, tmpdir } from "node:os";
+import { join } from "node:path";
+
+import type { BrowserContextOptions, Locator, Page } from "playwright-core";
+
+import { type TestPage, closeBrowser, closePage, openPage } from "../tests/browser/browser";
+import { Rig, eventually, sleep } from "../tests/browser/rig";
+
+const pictures = process.argv[2] ?? "";
+assert.ok(pictures, "usage: class_at_the_door.ts FOLDER [HANDS]");
+mkdirSync(pictures, { recursive: true });
+const kLongest = 14.5 * 60_000; // ms from the start to when the class is ended
+const tls: BrowserContextOptions = { ignoreHTTPSErrors: true };
+
+/** What a hand does its own way. */
+interface Style {
+  name: string;
+  /** ms from one look to the next. */
+  looks?: number;
+  /** Wheel, 0..1, in the fall, and in paying out: slower and faster. */
+  fall?: number;
+  pays?: number;
+  reports?: boolean;
+  idle?: boolean;
+  /** Leaves the wheel open until so many shackles. */
+  opensUntil?: number;
+  /** At so many metres of cable: loads the page anew, loses it for a while, has it on a slow computer. */
+  reloads?: number;
+  away?: number;
+  slow?: boolean;
+  late?: number; // ms
+}
+const kStyles: Style[] = [
+  { name: "careful" },
+  { name: "hasty", fall: 0.42, pays: 0.36 },
+  { name: "leaves it open to four", opensUntil: 4 },
+  { name: "tablet flat for 30 s at 70 m", away: 70 },
+  { name: "tells nobody", reports: false },
+  { name: "careful, looks once a second", looks: 1000 },
+  { name: "anxious", fall: 0.6, pays: 0.56 },
+  { name: "idle", idle: true },
+  { name: "reloads at 70 m", reloads: 70 },
+  { name: "careful, looks twice a second", looks: 500 },
+  { name: "slow computer (a sixth)", slow: true },
+  { name: "joins a minute late", late: 60_000 },
+].slice(0, Number(process.argv[3] ?? 12));
+
+interface Seen {
+  /** m, m/s, N: by the gauges. */
+  out: number;
+  speed: number;
+  load: number;
+  /** 0 open, 1 hard on. */
+  wheel: number;
+  orders: string[];
+}
+
+let clicks = 0;
+const press = async (what: Locator): Promise<void> => {
+  ++clicks;
+  await what.click();
+};
+const on = (page: Page, name: string | RegExp): Locator => page.getByRole("button", { name, exact: true });
+
+/** One trainee. */
+class Hand {
+  page: TestPage;
+  readonly said: string[] = [];
+  problems: string[] = [];
+  private readonly done = new Set<string>();
+  private covered = 0; // looks
+  private readonly began = Date.now();
+
+  constructor(
+    readonly style: Style,
+    readonly trainee: string,
+    private readonly door: string,
+    private readonly code: string,
+  ) {}
+
+  async join(): Promise<void> {
+    await this.open(`${this.door}?code=${this.code}`);
+    await this.page.locator("input[name=name]").fill(this.trainee);
+    await on(this.page, "Take a seat").click();
+    await this.page.waitForURL(/\/forecastle/);
+    await this.page.goto(`${new URL(this.page.url()).origin}/forecastle?picture=off`);
+    await this.page.locator(".owner").waitFor();
+  }
+
+  private async open(url: string, options: BrowserContextOptions = {}): Promise<void> {
+    this.page = await openPage(url, { ...tls, ...options, viewport: { width: 1024, height: 768 } });
+    this.page.setDefaultTimeout(20_000); // a hand that finds no button in that time has lost the thread
+    if (this.style.slow) {
+      const session = await this.page.context().newCDPSession(this.page);
+      await session.send("Emulation.setCPUThrottlingRate", { rate: 6 });
+    }
+  }
+
+  private look(): Promise<Seen> {
+    return this.page.evaluate(() => {
+      const view = window.windlass.link.latest("ForecastleView", 0);
+      const wheel = document.querySelector("[aria-label='brake hand-wheel']")?.getAttribute("aria-valuenow");
+      return {
+        out: view?.cable_out_indicated ?? 0,
+        speed: view?.cable_speed_indicated ?? 0,
+        load: view?.gypsy_load_indicated ?? 0,
+        wheel: Number(wheel) / 100,
+        orders: [...document.querySelectorAll(".orders li .spoken")].map((each) => each.textContent ?? ""),
+      };
+    });
+  }
+
+  /** Turns the wheel there by its keys, held. */
+  private async turn(to: number): Promise<void> {
+    if (to >= 1) return this.page.keyboard.press("b");
+    if (to <= 0) return this.page.keyboard.press("0");
+    for (let tries = 0; tries < 80; ++tries) {
+      const { wheel } = await this.look();
+      const degrees = (to - wheel) * 1800;
+      if (Math.abs(degrees) < 8) return;
+      const key = degrees > 0 ? "ArrowUp" : "ArrowDown";
+      if (Math.abs(degrees) > 120) {
+        await this.page.keyboard.down(key);
+        await sleep(Math.min(600, Math.abs(degrees)));
+        await this.page.keyboard.up(key);
+      } else {
+        await this.page.keyboard.press(key);
+      }
+      await sleep(60);
+    }
+  }
+
+  private async report(name: string, figure?: number): Promise<void> {
+    if (this.style.reports === false) return;
+    const pad = this.page.locator(".reports");
+    const button = pad.getByRole("button", { name, exact: true });
+    if (!(await button.isVisible()))
+      for (const leaf of await pad.locator(".leaves button").all()) {
+        await leaf.click();
+        if (await button.isVisible()) break;
+      }
+    await button.click();
+    if (figure !== undefined)
+      await this.page
+        .locator(".pad")
+        .last()
+        .getByRole("button", { name: `${figure}`, exact: true })
+        .click();
+    this.said.push(
+      `${Math.round((Date.now() - this.began) / 1000)} s: ${name}${figure === undefined ? "" : ` ${figure}`}`,
+    );
+  }
+
+  /** Once. */
+  private first(what: string): boolean {
+    if (this.done.has(what)) return false;
+    this.done.add(what);
+    return true;
+  }
+
+  /** Until it is told to stop. */
+  async play(stop: () => boolean): Promise<void> {
+    const { style } = this;
+    const [fall, pays] = [style.fall ?? 0.53, style.pays ?? 0.487];
+    let wanted = 0, // shackles
+      runs = false,
+      quietSince = 0,
+      tight = 0;
+    while (!stop() && !this.page.isClosed()) {
+      await sleep(style.looks ?? 300);
+      if (style.idle) continue;
+      const now: Seen | undefined = await this.look().catch((): undefined => undefined);
+      if (!now) continue;
+      const briefing = this.page.locator("dialog[aria-label='briefing'][open]");
+      if (now.orders.length > 0 && (await briefing.count()) > 0 && ++this.covered === 10) {
+        this.problems.push("its briefing lay over the levers when the exercise ran");
+        await this.page.screenshot({ path: join(pictures, `covered_${this.trainee}.png`) });
+        await briefing.getByRole("button").last().click();
+      }
+      if ((await this.page.locator(".orders li button").count()) > 0) await this.page.keyboard.press("o");
+      const has = (words: RegExp): boolean => now.orders.some((text) => words.test(text));
+      if (has(/stand by/i) && this.first("stand by")) await this.report("Standing by");
+      if (has(/let go/i) && this.first("let go")) {
+        await this.turn(style.opensUntil ? 0 : fall);
+        await this.report("Let go");
+      }
+      if (!this.done.has("let go")) continue;
+      if (style.opensUntil) {
+        if (now.out > style.opensUntil * 27.5 && this.first("check")) await this.turn(1);
+      } else if (now.out > 28 && this.first("bottom")) {
+        await this.turn(0.86);
+        await this.report("On the bottom");
+      }
+      const ordered = Math.max(
+        0,
+        ...now.orders.flatMap((text) => {
+          const found = /(?:pay out|hold on).* (\d+) shackles?/i.exec(text);
+          return found ? [Number(found[1])] : [];
+        }),
+      );
+      if (ordered > wanted) {
+        wanted = ordered;
+        runs = true;
+        await this.turn(pays);
+      }
+      if (runs && now.out > (wanted - 0.1) * 27.5) {
+        runs = false;
+        await this.turn(wanted >= 6 ? 1 : 0.86);
+        quietSince = Date.now();
+      }
+      if (!runs && wanted > 0 && now.speed < 0.05 && Date.now() - quietSince > 3000 && this.first(`at ${wanted}`))
+        await this.report("n in pipe", Math.round(now.out / 27.5));
+      if (has(/leading/i) && this.first("leading")) {
+        await this.report("Lead");
+        await this.page
+          .getByRole("button", { name: /up and down/i })
+          .last()
+          .click()
+          .catch(() => {});
+      }
+      if (this.done.has("at 6")) {
+        tight = now.load > 150e3 ? tight || Date.now() : 0;
+        if (tight && Date.now() - tight > 110_000 && this.first("brought up")) await this.report("Brought up");
+      }
+      if (has(/secure/i) && this.first("secure")) {
+        await this.page.keyboard.down("t");
+        await sleep(1500);
+        await this.page.keyboard.up("t");
+        await sleep(3000);
+        await this.report("Secured");
+      }
+      if (style.reloads && now.out > style.reloads && this.first("reload")) await this.page.reload();
+      if (style.away && now.out > style.away && this.first("away")) {
+        const [url, state] = [this.page.url(), await this.page.context().storageState()];
+        this.problems.push(...this.page.problems);
+        await closePage(this.page);
+        await sleep(30_000);
+        await this.open(url, { storageState: state });
+      }
+    }
+  }
+}
+
+const rig = new Rig();
+const folder = await mkdtemp(join(tmpdir(), "windlass-twelve-"));
+try {
+  const began = Date.now();
+  const minutes = (): string => ((Date.now() - began) / 60_000).toFixed(1);
+  const note = (text: string): void => console.error(`${minutes()} min: ${text}`);
+  rig.server("L01_let_go_25m", "--wait"); // and makes the class's exercises
+  const door = await rig.door(join(folder, "door"));
+  let owner = await openPage(door.setup, tls);
+  await owner.locator("input[name=name]").fill("anna");
+  await owner.locator("input[name=password]").fill("a long password");
+  await owner.locator("input[type=password]").last().fill("a long password");
+  await on(owner, "Set up").click();
+  await owner.waitForURL(/\/class$/);
+  await closePage(owner);
+
+  // Nine o'clock: from the log-in.
+  owner = await openPage(`${door.url}login`, tls);
+  await press(owner.locator("input[name=name]"));
+  await owner.keyboard.type("anna");
+  await press(owner.locator("input[name=password]"));
+  await owner.keyboard.type("a long password");
+  await press(on(owner, "Log in"));
+  await owner.waitForURL(/\/class$/);
+  await owner.locator("select option").first().waitFor({ state: "attached" });
+  clicks += 2; // the lesson's list, and its row
+  await owner.locator("select").first().selectOption("L01_let_go_25m");
+  const howMany = owner.locator("input[type=number]");
+  if ((await howMany.inputValue()) !== `${kStyles.length}`) {
+    ++clicks;
+    await howMany.fill(`${kStyles.length}`);
+  }
+  await press(on(owner, "Open the class"));
+  const code = (await owner.locator(".code-panel .letters").textContent()).replace(/ /g, "");
+  await press(on(owner, "Show large"));
+  await press(owner.locator(".projector"));
+  const hands = kStyles.map((style, i) => new Hand(style, `${"abcdefghijklmnop"[i]}-${i + 1}`, door.url, code));
+  for (const hand of hands.filter(({ style }) => !style.late)) await hand.join();
+  note("joined");
+  await eventually("all ready", async () => {
+    const states = await owner.locator(".exercises .state").allTextContents();
+    return states.length === kStyles.length && states.every((state) => state.startsWith("ready"));
+  });
+  await owner.setViewportSize({ width: 1280, height: 800 });
+  const toReady = clicks;
+  await owner.screenshot({ path: join(pictures, "ready.png"), fullPage: true });
+  await press(on(owner, "Start all"));
+  note(`started after ${toReady} clicks`);
+  const started = Date.now();
+  let ended = false;
+  const playing = hands.map(async (hand) => {
+    try {
+      if (hand.style.late) {
+        await sleep(hand.style.late);
+        await hand.join();
+      }
+      await hand.play(() => ended);
+    } catch (why) {
+      hand.problems.push(`fell over: ${why instanceof Error ? why.message : "?"}`.split("\n", 1)[0]);
+      note(`${hand.trainee}: ${hand.problems.at(-1)}`);
+    }
+  });
+  for (const at of [2, 6, 11]) {
+    await sleep(Math.max(0, started + at * 60_000 - Date.now()));
+    await owner.screenshot({ path: join(pictures, `at_${at}_min.png`), fullPage: true });
+    note(`load ${loadavg()[0].toFixed(1)}; ${hands.map(({ said }) => said.length).join(" ")} reports`);
+  }
+  await sleep(Math.max(0, started + kLongest - Date.now()));
+  ended = true;
+  await Promise.all(playing);
+  await hands[0].page.screenshot({ path: join(pictures, "forecastle.png") });
+  await on(owner, "End the class").focus();
+  await owner.keyboard.down("Enter");
+  await owner.locator(".class-marks tbody tr").first().waitFor();
+  await owner.keyboard.up("Enter");
+  await eventually(
+    "marked, in the history",
+    async () =>
+      (await owner.locator(".class-marks .next").allTextContents()).filter((text) => text.trim()).length >=
+      kStyles.length,
+  );
+  await owner.screenshot({ path: join(pictures, "over.png"), fullPage: true });
+  const asked = Date.now();
+  const [aside] = await Promise.all([
+    owner.waitForEvent("popup"),
+    owner.getByRole("link", { name: "The class side by side" }).click(),
+  ]);
+  await aside.getByRole("heading", { name: "Who did what when" }).waitFor();
+  const sideBySide = (Date.now() - asked) / 1000;
+  await aside.setViewportSize({ width: 1280, height: 800 });
+  await aside.screenshot({ path: join(pictures, "side_by_side.png"), fullPage: true });
+  const rows = await owner.locator(".class-marks tbody tr").all();
+  console.log(`Clicks from the log-in to all ready: ${toReady}. Class side by side: ${sideBySide.toFixed(1)} s.\n`);
+  console.log("| hand | marks | reports | the page's problems |\n|---|---|---|---|");
+  for (const hand of hands) {
+    const row =
+      rows[
+        (await Promise.all(rows.map((each) => each.textContent()))).findIndex((text) => text.startsWith(hand.trainee))
+      ];
+    const problems = [...hand.problems, ...hand.page.problems];
+    console.log(
+      `| ${hand.style.name} | ${await row.locator(".marks").textContent()} | ${hand.said.join("; ")} | ${problems.join("; ")} |`,
+    );
+  }
+  console.log(`\n${cpus().length} cores (${cpus()[0].model}), load ${loadavg()[0].toFixed(1)} at the end`);
+  if (owner.problems.length) console.log(`The instructor's page: ${owner.problems.join("; ")}`);
+} catch (why) {
+  console.error(why);
+  process.exitCode = 1;
+} finally {
+  await closeBrowser();
+  await rig.end();
+  if (process.env.KEEP) console.log(`kept: ${folder}`);
+  else await rm(folder, { recursive: true, force: true });
+}
