@@ -253,7 +253,7 @@ class Hand {
 }
 
 const rig = new Rig();
-const folder = await mkdtemp(join(tmpdir(), "windlass-twelve-"));
+const folder = await mkdtemp(join(tmpdir(), "windlass-class-"));
 try {
   const began = Date.now();
   const minutes = (): string => ((Date.now() - began) / 60_000).toFixed(1);

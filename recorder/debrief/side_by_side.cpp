@@ -31,10 +31,24 @@ td:has(.squares) { white-space: nowrap; }
 
 constexpr std::size_t kOwnLines = 4; // that a plot tells apart
 
+/// Of an attempt the side whose cable moved most; nullptr: none was worked.
+const Side* worked_side(const Attempt& attempt) {
+    const Side* most = nullptr;
+    double moved = -1;
+    for (const Side& side : attempt.sides) {
+        const Series& cable = side.curves[kCableOut];
+        if (!side.worked || cable.empty()) continue;
+        if (const double way = cable.largest()->value - cable.least()->value; way > moved)
+            most = &side, moved = way;
+    }
+    return most;
+}
+
 /// The members of one lesson, with what is asked of each more than once.
 struct Class {
     std::vector<Beside> all;
     std::vector<Judgement> judged;
+    std::vector<const Side*> worked; // as worked_side() has it
     Zero zero;
 
     std::size_t size() const { return all.size(); }
@@ -277,19 +291,6 @@ std::string deeds_part(const Class& of) {
                                         of.columns("what"), rows));
 }
 
-/// Of an attempt the side whose cable moved most; nullptr: none was worked.
-const Side* worked_side(const Attempt& attempt) {
-    const Side* most = nullptr;
-    double moved = -1;
-    for (const Side& side : attempt.sides) {
-        const Series& cable = side.curves[kCableOut];
-        if (!side.worked || cable.empty()) continue;
-        if (const double way = cable.largest()->value - cable.least()->value; way > moved)
-            most = &side, moved = way;
-    }
-    return most;
-}
-
 std::vector<Sample> moved(std::vector<Sample> samples, double by) {
     for (Sample& sample : samples)
         sample.time += by;
@@ -305,7 +306,7 @@ std::vector<PlotLine> spread_of(const Class& of, double from, double to) {
         std::vector<double> values;
         for (std::size_t i = 0; i < of.size(); ++i) {
             const double at = time + of.zero.times[i];
-            const Side* side = worked_side(of.at(i));
+            const Side* side = of.worked[i];
             if (side == nullptr || at > of.at(i).ended) continue;
             if (const auto value = side->curves[kCableOut].at(at)) values.push_back(*value);
         }
@@ -333,7 +334,7 @@ std::string plot_part(const Class& of) {
         const double zero = of.zero.times[i];
         plot.from = std::min(plot.from, of.at(i).began - zero);
         plot.to = std::max(plot.to, of.at(i).ended - zero);
-        const Side* side = worked_side(of.at(i));
+        const Side* side = of.worked[i];
         if (side == nullptr) continue;
         const std::string number = fmt::format("no. {}", i + 1);
         plot.strips.push_back({number, moved(side->curves[kBrake].samples(), -zero), {}});
@@ -350,7 +351,8 @@ std::string plot_part(const Class& of) {
     return section(
         "over-time", "Over one time",
         fmt::format("<figure>\n<div class=\"wide\">{}</div>\n<figcaption>{} Below it a row to each "
-                    "exercise, black where its brake is more than half on.</figcaption>\n"
+                    "exercise, black where its brake is more than half on; of two windlasses the one whose "
+                    "cable moved most.</figcaption>\n"
                     "</figure>\n",
                     svg_of(plot), escaped(plot.sentence)));
 }
@@ -388,8 +390,10 @@ std::string side_by_side_page(const std::string& title, const std::vector<Beside
                                 escaped(why));
     }
     if (of.all.empty()) return document(title, html + "<p>There is no recording.</p>\n", kWideStyle);
-    for (const Beside& each : of.all)
+    for (const Beside& each : of.all) {
         of.judged.push_back(judgement_of(*each.attempt));
+        of.worked.push_back(worked_side(*each.attempt));
+    }
     of.zero = zero_of(of.all);
     const Attempt& first = of.at(0);
     html += fmt::format("<p>{}</p>\n", escaped(first.title.empty() ? first.exercise : first.title));

@@ -61,4 +61,14 @@ TEST(WhatIfPages, SayWhyThereIsNothingToSearchFor) {
     EXPECT_THAT(made(pages, folder / "nowhere", before), HasSubstr("nowhere"));
 }
 
+TEST(SideBySidePage, LeavesOutWhatCannotBeReadOrWasNotRecordedAndSaysSo) {
+    const Folder folder;
+    const std::string page =
+        side_by_side_page("Class", {{.who = "anna", .link = "", .recording = folder / "nowhere"},
+                                    {.who = "ben", .link = "", .recording = {}}});
+    EXPECT_THAT(page, HasSubstr("anna is left out: it cannot be read: "));
+    EXPECT_THAT(page, HasSubstr("ben is left out: it was not recorded."));
+    EXPECT_THAT(page, HasSubstr("There is no recording."));
+}
+
 } // namespace windlass::console
