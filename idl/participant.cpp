@@ -8,6 +8,7 @@
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/log/StdoutErrConsumer.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
 
 #include <stdexcept>
 #include <typeinfo>
@@ -31,6 +32,18 @@ void send_dds_messages_to_stderr() {
     });
 }
 
+/// Members of one process talk as those of two would. Fast DDS 2.9.1 else calls across them, and where one
+/// ends while another has not yet heard of it the call goes to a reader that is no more (SIGSEGV in
+/// StatefulWriter::intraprocess_gap; 1 in 650 of a test with four members, on a busy machine).
+void keep_members_of_this_process_apart() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        eprosima::fastrtps::LibrarySettingsAttributes settings;
+        settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+        eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+    });
+}
+
 } // namespace
 
 Participant::Participant(const JoinOptions& session)
@@ -50,6 +63,7 @@ Member::Member(const JoinOptions& session)
                                  "and is told nothing; use --lan");
     }
     send_dds_messages_to_stderr();
+    keep_members_of_this_process_apart();
     static std::once_flag tidied;
     std::call_once(tidied, [] { remove_abandoned_memory(); });
 

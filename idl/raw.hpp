@@ -17,8 +17,9 @@ struct RawSample {
     std::int64_t written_unix_ns = 0; ///< ns since 1970-01-01 UTC at the writer
 };
 
-/// Hears one topic of the table, payloads unopened. Callbacks as with Reader.
-/// A participant has raw or typed ends of a topic, not both (std::logic_error).
+/// Hears one topic of the table, payloads unopened. Callbacks as with Reader: samples of one key in the order
+/// in which they were written, those of several keys that wait at once key by key. A participant has raw or
+/// typed ends of a topic, not both (std::logic_error).
 class RawReader {
 public:
     using OnSample = std::function<void(const RawSample&)>;

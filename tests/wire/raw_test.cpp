@@ -7,6 +7,7 @@
 #include "rigs/own_domain.hpp"
 #include "rigs/wait.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <mutex>
@@ -66,7 +67,7 @@ TEST(RawEnds, KeyedSamplesPassThroughRecorderAndReplayUnchanged) {
         const std::lock_guard lock(live.mutex);
         for (const auto& payload : live.payloads)
             ASSERT_TRUE(replays.write(payload));
-        EXPECT_EQ(live.sequences, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6}));
+        EXPECT_THAT(live.sequences, testing::UnorderedElementsAre(1, 2, 3, 4, 5, 6));
     }
     // Depth is 1 for each instance: all six arrive late only when every payload has got its own key.
     ASSERT_TRUE(eventually([&] {
@@ -77,9 +78,11 @@ TEST(RawEnds, KeyedSamplesPassThroughRecorderAndReplayUnchanged) {
     Participant second({own_domain(), "exercise/replay", "recorder"});
     const RawReader late(second, topics::alert, again.callback());
     ASSERT_TRUE(eventually([&] { return again.count() == 6; }));
-    EXPECT_EQ(again.payloads, live.payloads);
-    EXPECT_EQ(shown.at(3).code(), "anchor.dragging");
-    EXPECT_EQ(shown.at(3).value(), 1.25);
+    EXPECT_THAT(again.payloads, testing::UnorderedElementsAreArray(live.payloads));
+    EXPECT_THAT(shown, testing::Contains(testing::Truly([](const Alert& alert) {
+                    return alert.code() == "anchor.dragging" && alert.side() == SIDE_STARBOARD &&
+                           alert.value() == SIDE_STARBOARD + 0.25;
+                })));
 }
 
 TEST(RawEnds, WhatIsNoPayloadIsNotWritten) {

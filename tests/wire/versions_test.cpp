@@ -16,8 +16,6 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
-#include <fastrtps/attributes/LibrarySettingsAttributes.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <windlassPubSubTypes.h>
@@ -33,15 +31,6 @@ namespace dds = eprosima::fastdds::dds;
 using rigs::eventually;
 using rigs::own_domain;
 using testing::HasSubstr;
-
-/// Members of one process talk as those of two would. Fast DDS 2.9.1 else calls across them, and two that end
-/// together may call into each other's end (StatefulWriter::intraprocess_gap; 2 of 100 on a busy machine).
-const bool kApart = [] {
-    eprosima::fastrtps::LibrarySettingsAttributes settings;
-    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-    return true;
-}();
 
 const std::string kNext = std::to_string(WIRE_VERSION + 1);
 
