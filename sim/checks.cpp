@@ -427,14 +427,13 @@ void Checks::look_at_orders(const run::Session& session) {
             fail("orders", fmt::format("{} of run {}", base->orders_taken, run_),
                  std::to_string(state.behind.size()));
         const std::uint64_t begins_at = state.behind.empty() ? base->tick : state.behind.front().tick;
-        begin_line(session);
-        if (begins_at != 0 || !comes_to(line(), 0, state)) { // restored
-            lines_.pop_back();
-            leave_line();
-            if (!go_on_from(line(), begins_at, state))
-                fail("state", fmt::format("that of the undisturbed course at tick {}", base->tick),
-                     fmt::format("{:016x} after a restore", base->state_hash));
-        }
+        // Where a run begins with words for every lever, its state does not tell whether it was set up.
+        const bool set_up = std::ranges::any_of(
+            session.events(), [](const auto& event) { return event.code == "exercise.ready"; });
+        set_up ? begin_line(session) : leave_line();
+        if (!(set_up ? begins_at == 0 && comes_to(line(), 0, state) : go_on_from(line(), begins_at, state)))
+            fail("state", fmt::format("that of the undisturbed course at tick {}", base->tick),
+                 fmt::format("{:016x} after a {}", base->state_hash, set_up ? "reset" : "restore"));
         branch(session, begins_at);
     };
     for (const run::OrderView& order : session.orders()) {

@@ -268,6 +268,19 @@ TEST(Checks, KnowARunWhoseFirstCheckpointThatIsToldHasOrdersInIt) {
     }
 }
 
+// Its state would be the same had it been set up anew: the word says where every lever is.
+TEST(Checks, KnowARunThatIsRestoredToItsVeryBeginningByTheLeversThatLayThere) {
+    Checked centre;
+    centre.say(1, 1, levers(0.5), 0);
+    centre.order(EXERCISE_SNAPSHOT);
+    centre.go_on(1);
+    centre.order(EXERCISE_RESTORE, 0);
+    centre.say(1, 2, levers(0.5), 0);
+    centre.order(EXERCISE_SNAPSHOT);
+    centre.order(EXERCISE_START);
+    EXPECT_EQ(centre.failure(1), "");
+}
+
 // The one's word is of a run that another followed in the same tick, and is not looked at.
 TEST(Checks, KnowALossOfAHandOfWhichTwoProgramsWereHeardTogether) {
     Checked centre;
