@@ -116,6 +116,7 @@ describe("of a server of two workers", () => {
     assert.ok(truth.status.time >= there.status.time, "no moment is lost that was shown before");
     assert.equal(truth.port.windlass.brake_position, there.port.windlass.brake_position);
     await eventually("the brake is as it was", async () => (await brake()) === brakeBefore);
+    assert.equal(await logged(desk, "exercise.started").count(), 1, "what was before the loss has happened");
     await look("after_a_kill");
     for (const page of [deck, desk]) hadNoProblems(page);
   });

@@ -41,6 +41,7 @@ export class EventStore {
   recorded: readonly Recorded[] = [];
   private recording = "";
   private readonly known = new Set<string>();
+  private ofLastServer: Logged[] = [];
   private readonly repeated: Logged[] = []; // in the words of a known one, lately
   private readonly listeners = new Set<(event: Logged | undefined) => void>();
 
@@ -77,22 +78,31 @@ export class EventStore {
   private clear(): void {
     this.recording = "";
     this.all.length = 0;
+    this.ofLastServer = [];
     this.known.clear();
     this.tell(undefined);
   }
 
-  /** What was written until then is of a server that is no more, and in no branch of the next one's exercise. */
+  /** What was written until then is of a server that is no more: whether it has happened, the next one says first. */
   private leave(until: number): void {
     // The next one's, those among them that the last one said in the same words.
     const again = [...this.repeated.splice(0), ...this.all]
       .filter(({ written }) => written >= until)
       .sort((a, b) => a.written - b.written);
-    const before = this.all.filter(({ written }) => written < until);
-    for (const event of before) event.left = true;
-    this.all.splice(0, this.all.length, ...before);
+    this.ofLastServer = this.all.filter(({ written }) => written < until);
+    this.all.splice(0, this.all.length, ...this.ofLastServer);
     this.known.clear();
     this.tell(undefined);
     for (const event of again) this.take(event, event.written);
+  }
+
+  /** An exercise that was taken up goes on from its moment; any other beginning is of another course. */
+  private goOn(event: Logged): void {
+    const takenUp = event.code === "exercise.taken_up";
+    if (!takenUp && !begins(event)) return;
+    if (!takenUp) for (const before of this.ofLastServer) before.left = true;
+    this.ofLastServer = [];
+    leave(this.all, event);
   }
 
   private take(sample: Event, written: number): void {
@@ -105,7 +115,7 @@ export class EventStore {
     }
     this.known.add(key);
     const event = { ...sample, left: false, written };
-    if (begins(event)) leave(this.all, event);
+    this.goOn(event);
     // A replay that jumped back tells what lies before what is known.
     let at = this.all.length;
     if (this.link.latest("ReplayStatus")) while (at > 0 && this.all[at - 1]!.time > event.time) --at;

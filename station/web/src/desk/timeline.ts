@@ -189,10 +189,14 @@ export class Timeline {
       const lane = laneOf(event.code);
       const name =
         lane === 4 ? "element-active-color" : lane === 0 ? "alert-warning-color" : severityColour(event.severity);
-      const flag = lane === 0 || lane === 4 || (lane === 3 && /^(anchor|exercise\.restored)/.test(event.code));
+      const flag =
+        lane === 0 || lane === 4 || (lane === 3 && /^(anchor|exercise\.(restored|taken_up))/.test(event.code));
       return { time: event.time, position: event.position, lane, colour: name, text: eventWords(event), flag };
     });
     this.marks.push(...this.alerts.values());
+    // Where two stand at one place, the one that plots flag is over the other and has the words.
+    const place = ({ position, time }: Mark): number => position ?? time;
+    this.marks.sort((a, b) => place(a) - place(b) || Number(a.flag) - Number(b.flag));
   }
 
   private get now(): number {
