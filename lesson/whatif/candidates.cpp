@@ -338,6 +338,18 @@ std::optional<Change> of_size(const Trials& trials, const Candidate& candidate, 
     }
 }
 
+std::optional<Change> further(const Change& change, int steps) {
+    const bool goes_elsewhere = change.kind == ChangeKind::more || change.kind == ChangeKind::less ||
+                                change.kind == ChangeKind::one_more;
+    if (!goes_elsewhere || change.lever.catches()) return std::nullopt;
+    const auto [least, most] = range_of(change.lever);
+    const bool at_a_stop = change.value == 0 || change.value <= least || change.value >= most;
+    Change to = change;
+    to.value += kShare * steps;
+    if (at_a_stop || to.value < least || to.value > most) return std::nullopt;
+    return to;
+}
+
 std::optional<Variation> varied(const Trials& trials, const Change& change, int nudge) {
     const bool has_time = change.kind != ChangeKind::report_left_out && change.kind != ChangeKind::left_out;
     if (nudge != 0 && !has_time) return std::nullopt;

@@ -28,4 +28,8 @@ std::vector<Candidate> moves_not_made(const Trials& trials, std::size_t criterio
 /// The change at a size in steps. Nothing: the lever does not go so far.
 std::optional<Change> of_size(const Trials& trials, const Candidate& candidate, int steps);
 
+/// The change with its lever gone that many steps further, or less far below 0. Nothing: how far it goes is
+/// not what is changed, or it goes to a stop of the lever, which a hand finds, or would beyond one.
+std::optional<Change> further(const Change& change, int steps);
+
 } // namespace windlass::whatif

@@ -17,6 +17,7 @@ namespace {
 constexpr std::array kSizes{2, 5, 15, 50, 150};    // steps
 constexpr int kNudge = 2;                          // steps, that an answer must bear
 constexpr std::array kMargins{0, 2, 4, 7, 12, 22}; // steps beyond the least, to make it sure
+constexpr int kOthers = 3;                         // tried in place of an answer that chance decides
 constexpr double kHalfSecond = 0.5;                // s, to which the last moment is told
 constexpr std::array kBack{0, 5, 10, 20, 40, 80, 160, 320, 640, 1280, 2560}; // s before the loss
 constexpr std::array kEarlier{0.0, 0.5, 1.0, 2.0, 4.0}; // s before the last moment, to make it sure
@@ -131,11 +132,19 @@ private:
 
     /// What is said changes nothing about the ship; what was done may have been done otherwise; and last
     /// comes what was not done.
-    std::optional<Kept> change() {
+    std::optional<Found> find() {
         std::optional<Found> best;
         const auto search = [&](auto of, auto candidates) {
             if (best && milli_of(best->tried.result) >= enough()) return;
-            auto found = (this->*of)(candidates(trials_, criterion_));
+            auto all = candidates(trials_, criterion_);
+            std::erase_if(all, [&](const Candidate& one) {
+                return std::ranges::any_of(by_chance_, [&](const Change& other) {
+                    return one.change.kind == other.kind && one.change.tick == other.tick &&
+                           one.change.was_tick == other.was_tick && one.change.lever == other.lever &&
+                           one.change.value == other.value;
+                });
+            });
+            auto found = (this->*of)(all);
             if (found && (!best || milli_of(found->tried.result) > milli_of(best->tried.result)))
                 best = std::move(found);
         };
@@ -143,7 +152,21 @@ private:
         search(&Search::of_sizes, moves_that_were_made);
         search(&Search::one_of, moves_left_out);
         search(&Search::of_sizes, moves_not_made);
-        return best ? std::optional(made_sure(*best)) : std::nullopt;
+        return best;
+    }
+
+    /// Where chance decides the smallest, others that keep as much are tried in its place.
+    std::optional<Kept> change() {
+        std::optional<Kept> smallest;
+        for (int k = 0; k <= kOthers; ++k) {
+            const auto found = find();
+            if (!found || (smallest && milli_of(found->tried.result) < milli_of(smallest->result))) break;
+            Kept kept = made_sure(*found);
+            if (kept.sure.stands()) return kept;
+            by_chance_.push_back(found->candidate.change);
+            if (!smallest) smallest = std::move(kept);
+        }
+        return smallest;
     }
 
     /// Nothing where the variation is none.
@@ -157,13 +180,20 @@ private:
     /// once: no more is tried where something did not stand.
     Sure sure_of(const Change& change, int milli, bool once) {
         Sure sure;
-        sure.later = stands(varied(trials_, change, kNudge), milli, 0, false);
-        if (once && !sure.stands()) return sure;
-        sure.sooner = stands(varied(trials_, change, -kNudge), milli, 0, false);
-        if (once && !sure.stands()) return sure;
-        sure.water = stands(varied(trials_, change), milli, lesson::kMillimetre, false);
-        if (once && !sure.stands()) return sure;
-        if (trials_.has_gusts()) sure.gusts = stands(varied(trials_, change), milli, 0, true);
+        const auto look = [&](std::optional<bool>& at, std::optional<Variation> variation, double water,
+                              bool gusts) {
+            if (!once || sure.stands()) at = stands(std::move(variation), milli, water, gusts);
+        };
+        const auto with_lever = [&](int steps) {
+            const auto to = further(change, steps);
+            return to ? varied(trials_, *to) : std::nullopt;
+        };
+        look(sure.later, varied(trials_, change, kNudge), 0, false);
+        look(sure.sooner, varied(trials_, change, -kNudge), 0, false);
+        look(sure.more, with_lever(kNudge), 0, false);
+        look(sure.less, with_lever(-kNudge), 0, false);
+        look(sure.water, varied(trials_, change), lesson::kMillimetre, false);
+        if (trials_.has_gusts()) look(sure.gusts, varied(trials_, change), 0, true);
         return sure;
     }
 
@@ -227,6 +257,7 @@ private:
     Trials& trials_;
     std::size_t criterion_;
     assess::CriterionResult recorded_;
+    std::vector<Change> by_chance_{}; ///< what is not to be found again
 };
 
 std::optional<TakenOver> Search::take_over() {

@@ -35,12 +35,14 @@ struct Change {
     exercise::ReportMade report{};           ///< of a report
 };
 
-/// Whether an answer stands with the lever (or word) a little sooner and later, a millimetre more water, and
-/// other gusts. Nothing: it was not tried, since it makes no difference there.
+/// Whether an answer stands with the lever (or word) a little sooner and later, with the lever a little more
+/// and less, a millimetre more water, and other gusts. Nothing: it was not tried, since it makes no
+/// difference there.
 struct Sure {
-    std::optional<bool> sooner{}, later{}, water{}, gusts{};
+    std::optional<bool> sooner{}, later{}, more{}, less{}, water{}, gusts{};
     bool stands() const {
-        return sooner.value_or(true) && later.value_or(true) && water.value_or(true) && gusts.value_or(true);
+        return sooner.value_or(true) && later.value_or(true) && more.value_or(true) && less.value_or(true) &&
+               water.value_or(true) && gusts.value_or(true);
     }
 };
 

@@ -81,6 +81,8 @@ std::string sure_words(const Sure& sure, bool chance) {
     };
     add(sure.sooner, "0.2 s earlier");
     add(sure.later, "0.2 s later");
+    add(sure.more, "2 % more");
+    add(sure.less, "2 % less");
     add(sure.water, "with a millimetre more water");
     add(sure.gusts, "with other gusts");
     std::string text = stands.empty() ? "" : "Stands " + stands + ".";
@@ -181,10 +183,8 @@ ordered_json json_of(const Sure& sure) {
     const auto one = [](const std::optional<bool>& tried) {
         return tried ? ordered_json(*tried) : ordered_json();
     };
-    return {{"sooner", one(sure.sooner)},
-            {"later", one(sure.later)},
-            {"water", one(sure.water)},
-            {"gusts", one(sure.gusts)}};
+    return {{"sooner", one(sure.sooner)}, {"later", one(sure.later)}, {"more", one(sure.more)},
+            {"less", one(sure.less)},     {"water", one(sure.water)}, {"gusts", one(sure.gusts)}};
 }
 
 ordered_json json_of(const assess::Result& result, std::size_t criterion) {

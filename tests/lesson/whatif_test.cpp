@@ -170,6 +170,35 @@ TEST(WhatIf, ALeverThatIsFoundKeepsTheMustWhenItIsReallyPlayed) {
     EXPECT_EQ(json_of(others, {twice}).dump(), json_of(trials, {answer}).dump()) << "the same, again";
 }
 
+// A wheel is not set to a hundredth.
+TEST(WhatIf, ALeverThatGoesFurtherBearsALittleMoreAndALittleLess) {
+    const Played one("L01_let_go_25m.json");
+    Trials trials(one.attempt, one.model);
+    const Answer answer = what_if(trials, "pay-out");
+    ASSERT_TRUE(answer.kept) << answer_words(trials, answer);
+    ASSERT_EQ(answer.kept->change.kind, ChangeKind::more);
+    EXPECT_GT(answer.kept->change.steps, answer.kept->least_steps) << "the least is a knife's edge";
+    EXPECT_EQ(answer.kept->sure.more, true);
+    EXPECT_EQ(answer.kept->sure.less, true);
+    for (const double by : {-0.02, 0.02}) {
+        Change change = answer.kept->change;
+        change.value += by;
+        const assess::Result again = really_play(one.file.def, varied(trials, change)->orders);
+        EXPECT_TRUE(criterion_of(again, "pay-out").met) << by;
+    }
+}
+
+// The least is the wheel a hundredth more at the move before, which two hundredths are not.
+TEST(WhatIfAtLength, WhereChanceDecidesTheLeastAnotherIsFoundThatStands) {
+    const Played one("L06_dredging.json");
+    Trials trials(one.attempt, one.model);
+    const Answer answer = what_if(trials, "cable");
+    ASSERT_TRUE(answer.kept) << answer_words(trials, answer);
+    EXPECT_TRUE(answer.kept->sure.stands()) << answer_words(trials, answer);
+    const assess::Result again = really_play(one.file.def, varied(trials, answer.kept->change)->orders);
+    EXPECT_TRUE(criterion_of(again, "cable").met) << answer_words(trials, answer);
+}
+
 TEST(WhatIf, AReportThatWasNotMadeIsFound) {
     const Played one("L18_stuck.json");
     Trials trials(one.attempt, one.model);
