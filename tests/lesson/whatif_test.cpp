@@ -1,5 +1,6 @@
 // What if: changes that are found for lessons played by their typical errors, each then really played.
 
+#include "instructor_console/lesson_command.hpp"
 #include "instructor_console/lesson_files.hpp"
 #include "lesson/play.hpp"
 #include "lesson/whatif/two_courses.hpp"
@@ -276,6 +277,20 @@ TEST(WhatIf, AWordMovesNoCurve) {
     const auto both = two_courses(trials, what_if(trials, "report"));
     ASSERT_TRUE(both);
     EXPECT_TRUE(both->curves.empty());
+}
+
+// It lost two musts, the brake first.
+TEST(WhatIf, OfTheFirstMustAloneIsARowForEachError) {
+    CLI::App app;
+    std::function<int()> chosen;
+    console::add_lesson(app, [&](std::function<int()> work) { chosen = std::move(work); });
+    app.parse("lesson whatif --first-must " WINDLASS_CONFIG_DIR "/exercises/L15_motor_overhauled.json");
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(chosen(), 0);
+    const std::string told = testing::internal::GetCapturedStdout();
+    EXPECT_EQ(std::ranges::count(told, '\n'), 2 + 1) << told;
+    EXPECT_THAT(told,
+                testing::HasSubstr("| L15 | stands by the motor and gives it more lever | brake (must) |"));
 }
 
 // Through a recording and back.
