@@ -56,12 +56,13 @@ void put_to_practice(exercise::ExerciseDef& def) {
     def.lesson = assess::for_practice(def.lesson);
 }
 
-std::string lesson_over_text(assess::Ending ending) {
-    switch (ending) {
+std::string lesson_over_text(const assess::State& state) {
+    switch (state.ending) {
     case assess::Ending::good:
         return "the lesson is over: it has run its course";
     case assess::Ending::time:
-        return "the lesson is over: its time is up";
+        return state.gave_up ? "the lesson is over: the bridge had no answer"
+                             : "the lesson is over: its time is up";
     case assess::Ending::abort:
         return "the lesson is over: what has happened ends it";
     case assess::Ending::instructor:

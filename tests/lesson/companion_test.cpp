@@ -126,8 +126,12 @@ TEST_F(CompanionTest, WaitsForWhatTheTraineesLessonHasNotBrought) {
     EXPECT_GT(shown_.forecastle.front().tick() + 60, second) << "up to there it is shown";
     EXPECT_LE(latest_, 0);
     // He answers: they go on, as late as they have come to be.
-    const int number = session_.snapshot().bridge_orders.front().number;
-    report({.code = exercise::ReportCode::order_repeated, .order_number = number});
+    const exercise::BridgeOrderView& first = session_.snapshot().bridge_orders.front();
+    report({.code = exercise::ReportCode::order_repeated,
+            .side = first.given.side,
+            .value = first.given.value,
+            .order_number = first.number,
+            .order_code = first.given.code});
     report({.code = exercise::ReportCode::standing_by, .side = 0});
     run_to(90);
     ASSERT_GE(session_.assessor().state().orders[1].given, 0);

@@ -101,6 +101,26 @@ TEST(BridgeOrders, OneNotRepeatedByItsDeadlineIsCalledOnceAndStaysOpen) {
     EXPECT_EQ(state(drill, 1), BridgeOrderState::repeated);
 }
 
+// Who repeats what he has heard need not know how often it was said while he thought.
+TEST(BridgeOrders, OneGivenAgainIsRepeatedByWhoeverRepeatsAnyOfThem) {
+    Drill drill = lying_still();
+    BridgeOrderGiven again = pay_out_port(3);
+    again.text = "I say again";
+    drill.give(pay_out_port(3));
+    drill.give(pay_out_port(4));
+    drill.give(again);
+    drill.give(repeated(1, 2));
+    drill.tick();
+    EXPECT_EQ(state(drill, 3), BridgeOrderState::misrepeated);
+    EXPECT_EQ(state(drill, 2), BridgeOrderState::given);
+    drill.give(repeated(1, 3));
+    drill.tick();
+    EXPECT_EQ(state(drill, 1), BridgeOrderState::repeated);
+    EXPECT_EQ(state(drill, 3), BridgeOrderState::repeated);
+    EXPECT_EQ(state(drill, 2), BridgeOrderState::given) << "another figure";
+    EXPECT_EQ(drill.count("order.repeated"), 1) << "it was said once";
+}
+
 TEST(BridgeOrders, AQuestionNeedNotBeRepeated) {
     Drill drill = lying_still();
     drill.give(BridgeOrderGiven{.code = BridgeOrderCode::how_leading, .side = 0});

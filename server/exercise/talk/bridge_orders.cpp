@@ -60,20 +60,22 @@ void BridgeOrders::give(const BridgeOrderGiven& given, const When& when, const E
 void BridgeOrders::hear(const ReportMade& report, const When& when, const EventLog& log) {
     constexpr double kSameFigure = 1e-6; // shackles or m, that two ways of writing a figure may differ by
     if (report.code != ReportCode::order_repeated) return;
-    BridgeOrderView* order = find(report.order_number);
-    if (order == nullptr || order->state == BridgeOrderState::repeated ||
-        order->state == BridgeOrderState::cancelled)
-        return;
-    const BridgeOrderGiven& given = order->given;
-    const bool same = report.order_code == given.code && report.side == given.side &&
-                      std::abs(report.value - given.value) < kSameFigure;
-    if (same) {
-        change(*order, BridgeOrderState::repeated, when);
-        log("order.repeated", given.side, order->number, called(*order, "repeated"));
-    } else {
-        change(*order, BridgeOrderState::misrepeated, when);
-        log("order.misrepeated", given.side, order->number, called(*order, "repeated wrongly"));
-    }
+    const BridgeOrderView* named = find(report.order_number);
+    const auto waits = [](const BridgeOrderView& order) {
+        return order.state != BridgeOrderState::repeated && order.state != BridgeOrderState::cancelled;
+    };
+    if (named == nullptr || !waits(*named)) return;
+    const BridgeOrderGiven given = named->given;
+    const auto says = [](const BridgeOrderGiven& order, BridgeOrderCode code, int side, double value) {
+        return order.code == code && order.side == side && std::abs(order.value - value) < kSameFigure;
+    };
+    const bool same = says(given, report.order_code, report.side, report.value);
+    log(same ? words::EventCode("order.repeated") : words::EventCode("order.misrepeated"), given.side,
+        report.order_number, called(*named, same ? "repeated" : "repeated wrongly"));
+    // Said once, it answers each time that the same was given.
+    for (BridgeOrderView& order : orders_)
+        if (waits(order) && says(order.given, given.code, given.side, given.value))
+            change(order, same ? BridgeOrderState::repeated : BridgeOrderState::misrepeated, when);
 }
 
 void BridgeOrders::watch(const When& when, const EventLog& log) {

@@ -23,7 +23,8 @@ public:
     };
 
     void give(const BridgeOrderGiven& given, const When& when, const EventLog& log);
-    /// Takes a report for the repeat that it may be.
+    /// Takes a report for the repeat that it may be: of the order that it names, and of the same one given
+    /// again.
     void hear(const ReportMade& report, const When& when, const EventLog& log);
     /// Calls what has not been repeated in time.
     void watch(const When& when, const EventLog& log);
