@@ -87,7 +87,7 @@ void print(const lesson::Played& played, bool told) {
     std::cout << fmt::format("{} after {}: {} of 100 points{}{}\n",
                              assess::outcome_name(played.result.outcome), station::clock(played.time),
                              points(played.result.tenths),
-                             played.result.abort.empty() ? "" : "; ended by " + played.result.abort,
+                             played.result.abort.empty() ? "" : "; ended: " + played.result.abort,
                              played.stuck.empty() ? "" : "\nthe script was not done: " + played.stuck)
               << std::flush;
 }

@@ -16,8 +16,7 @@ void print(const Reassessed& one) {
     std::cout << fmt::format("run {}, lesson {}: {}.{} of 100 points, {}{}; hash {:016x}\n", one.run,
                              one.lesson, result.tenths / 10, result.tenths % 10,
                              result.finished ? assess::outcome_name(result.outcome) : "still running",
-                             result.abort.empty() ? "" : ", ended by " + result.abort,
-                             result.assessment_hash);
+                             result.abort.empty() ? "" : ", ended: " + result.abort, result.assessment_hash);
     for (const assess::CriterionResult& criterion : result.criteria)
         std::cout << fmt::format("  {:<22} {:>4} of 1000, weight {:>3}  {}\n", criterion.code,
                                  criterion.milli, criterion.weight, criterion.reason);

@@ -62,6 +62,7 @@ export function makeDesk(page: Page): void {
   const panel = (title: string, content: HTMLElement): HTMLElement =>
     h("section", { class: "panel", "aria-label": title }, h("h2", {}, title), content);
   page.topBar.middle.append(
+    ...(page.link.byDoor ? [h("a", { class: "plain", href: "/class" }, t("Class"))] : []),
     h("a", { class: "plain", href: pageAddress("/classroom") }, t("Classroom")),
     h("a", { class: "plain", href: pageAddress("/lessons") }, t("Lessons")),
   );

@@ -93,7 +93,7 @@ export class MarksPanel {
     const points = t("{score} of 100 points", { score: figure(assessment.score, 1) });
     const early = assessment.ending === LessonEnding.LESSON_ENDED_EARLY; // and then it is said in words
     const abort = assessment.abort
-      ? `, ${early ? translated(assessment.abort) : t("ended by {what}", { what: assessment.abort })}`
+      ? `, ${early ? translated(assessment.abort) : t("ended: {what}", { what: assessment.abort })}`
       : "";
     const practice = assessment.practice ? `; ${practiceSaid(assessment)}` : "";
     setText(this.head, `${clock(assessment.time)}  ${points}${computed}${end}${abort}${practice}`);

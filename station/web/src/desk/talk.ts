@@ -1,7 +1,7 @@
 // Orders to the forecastle and its reports, each beside the truth at that moment.
 
 import { h, setText } from "../kit/dom";
-import { orderMayBeBare, orderState, orderUnit, written } from "../kit/orders";
+import { orderMayBeBare, orderUnit, repeatState, written } from "../kit/orders";
 import { cableSpeeds, celsius, clock, figure, loads, shackles, sideWord } from "../kit/units";
 import { orderRows, reportText, saidOf, withSide } from "../kit/words";
 import type { Connection } from "../wire/connection";
@@ -210,7 +210,7 @@ export class TalkPanel {
       row = { said: this.add(order.time, order.side, false, written(order), state), state };
       this.orders.set(order.number, row);
     }
-    setText(row.state, orderState(order.state));
+    setText(row.state, repeatState(order));
     row.said.element.dataset.state = BridgeOrderState[order.state];
   }
 

@@ -3,7 +3,7 @@
 import { Refused, type Connection } from "../wire/connection";
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState } from "../wire/generated";
 import { h, setText } from "../kit/dom";
-import { isOpen, isQuestion, orderMayBeBare, orderState, orderUnit, written } from "../kit/orders";
+import { isOpen, isQuestion, orderMayBeBare, orderUnit, repeatState, written } from "../kit/orders";
 import { clock, unitWritten } from "../kit/units";
 import { figureField, figurePad } from "./pad";
 import type { Popover } from "../kit/popover";
@@ -72,6 +72,7 @@ export class Orders {
         for (const listener of this.listeners) listener(newest);
       }
       this.heard = newest.number;
+      this.element.scrollTop = 0; // wherever the older ones were being read
     }
   }
 
@@ -91,7 +92,7 @@ export class Orders {
       { "data-number": order.number, "data-state": BridgeOrderState[order.state] },
       h("time", {}, clock(order.time)),
       h("span", { class: "spoken", lang: "en" }, written(order)),
-      h("span", { class: "quiet" }, asked ? t("answer by a report") : orderState(order.state)),
+      h("span", { class: "quiet" }, asked ? t("answer by a report") : repeatState(order)),
       button,
     );
   }

@@ -21,6 +21,9 @@ export function written(order: Pick<BridgeOrder, "code" | "side" | "value" | "te
 }
 
 export const orderState = (state: BridgeOrderState): string => saidOf("BridgeOrderState", state);
+/** What is said of an order's repeat; nothing of a question's, which there is none of. */
+export const repeatState = (order: Pick<BridgeOrder, "code" | "state">): string =>
+  isQuestion(order) && order.state === BridgeOrderState.ORDER_GIVEN ? "" : orderState(order.state);
 
 /** Whether it still waits to be repeated back. */
 export const isOpen = (order: BridgeOrder): boolean =>

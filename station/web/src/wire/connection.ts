@@ -78,6 +78,14 @@ const kForbidden = 403;
 /** What the door says to a browser that has no seat, or another one; and when it ends a link for that. */
 const kElsewhere = new Set([401, 409]);
 const kSentAway = 4001;
+const kWhySentAway = "windlass.why_sent_away";
+
+/** The door's reason for which the last page of this tab was sent away, told once; empty: it was not. */
+export function whySentAway(): string {
+  const why = sessionStorage.getItem(kWhySentAway) ?? "";
+  sessionStorage.removeItem(kWhySentAway);
+  return why;
+}
 const kHold = 100; // ms between two words of a hand on the levers
 /** A server numbers its runs on from the ms at which it was started: those of another one are far off. */
 const kRunsOfOneServer = 1000;
@@ -293,7 +301,7 @@ export class Connection {
     socket.onmessage = (event) =>
       typeof event.data === "string" ? this.takeText(event.data) : this.takeSample(event.data as ArrayBuffer);
     socket.onopen = () => (this.opened = performance.now());
-    socket.onclose = ({ code }) => (code === kSentAway ? this.goHome() : this.lost());
+    socket.onclose = ({ code, reason }) => (code === kSentAway ? this.goHome(reason) : this.lost());
     this.socket = socket;
   }
 
@@ -322,9 +330,10 @@ export class Connection {
     }
   }
 
-  /** To where the door has a place for this browser. */
-  private goHome(): void {
+  /** To where the door has a place for this browser. why: the door's, for the page that is there. */
+  private goHome(why = ""): void {
     this.close();
+    sessionStorage.setItem(kWhySentAway, why);
     location.assign("/");
   }
 

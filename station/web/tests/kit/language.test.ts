@@ -32,6 +32,7 @@ const kTranslated = [
   ["speed lever at zero; brake, clutch and stopper as they were", "the helm's levers stay as they are"],
   ["the lesson is over: it has run its course", "the lesson is over: its time is up"],
   ["the lesson is over: what has happened ends it", "the lesson is over: it was ended"],
+  ["the lesson is over: the bridge had no answer"],
   ["instructor", "assessor", "observer", "owner"],
 ].flat();
 
