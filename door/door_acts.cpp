@@ -358,7 +358,7 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
     } else if (what == "end") {
         const TrainingClass& its_class = under_way();
         for (const Trainee& each : its_class.trainees)
-            send_away(each.key, "the class is over");
+            send_away(each.key, "the class is over: your instructor has your marks and the debriefing");
         runs_.remove(its_class.exercises, who.staff->name);
         book_.end(id);
     } else if (what == "move") {

@@ -3,16 +3,10 @@
 import { h } from "../kit/dom";
 import { type Me, act, ask } from "./ask";
 import { field, form, frame } from "./frame";
-import { t } from "../kit/language";
+import { t, translated } from "../kit/language";
 import { whySentAway } from "../wire/connection";
 
 const kLetters = 6; // of a code
-
-/** What the door says as it takes a seat away (door_acts.cpp), as its trainee reads it. */
-const kSentAway: Readonly<Record<string, string>> = {
-  "the class is over": t("The class is over. Your instructor has your marks and the debriefing."),
-  "this seat was freed by the instructor": t("Your instructor has freed your seat."),
-};
 
 export function makeJoin(): void {
   const root = frame(t("Join a class"));
@@ -61,7 +55,7 @@ export function makeJoin(): void {
     h(
       "div",
       { class: "narrow" },
-      h("p", { class: "notice", role: "status" }, kSentAway[whySentAway()] ?? ""),
+      h("p", { class: "notice", role: "status" }, translated(whySentAway())),
       form(
         t("Take a seat"),
         [

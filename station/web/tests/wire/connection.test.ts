@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { type TestContext, test } from "node:test";
 
-import { Connection, type LinkState, Refused } from "../../src/wire/connection";
+import { Connection, type LinkState, Refused, whySentAway } from "../../src/wire/connection";
 import { WIRE_VERSION } from "../../src/wire/generated";
 
 type Sent = { op: string; [field: string]: unknown };
@@ -15,7 +15,7 @@ class Socket {
   readonly sent: Sent[] = [];
   onmessage?: (event: { data: unknown }) => void;
   onopen?: () => void;
-  onclose?: (event: { code: number }) => void;
+  onclose?: (event: { code: number; reason: string }) => void;
   constructor(readonly address: URL) {
     Socket.all.push(this);
   }
@@ -23,9 +23,9 @@ class Socket {
     this.sent.push(JSON.parse(text) as Sent);
   }
   /** code: of a connection that broke, unless somebody says why. */
-  close(code = 1006): void {
+  close(code = 1006, reason = ""): void {
     this.readyState = 3;
-    this.onclose?.({ code });
+    this.onclose?.({ code, reason });
   }
   /** The station lets the page in. */
   accept(hello: object = {}): void {
@@ -85,6 +85,7 @@ function connect(
   token = "secret",
 ): Rig {
   const gone: string[] = [];
+  const kept = new Map<string, string>();
   timers = new Timers();
   const clock = timers;
   t.mock.method(globalThis, "setTimeout", (act: () => void, wait: number) => clock.add(act, wait));
@@ -99,6 +100,11 @@ function connect(
       protocol: "http:",
       pathname: "/forecastle",
       assign: (to: string) => gone.push(to),
+    },
+    sessionStorage: {
+      getItem: (key: string) => kept.get(key) ?? null,
+      setItem: (key: string, value: string) => kept.set(key, value),
+      removeItem: (key: string) => kept.delete(key),
     },
     addEventListener: () => undefined,
     fetch: answer,
@@ -162,8 +168,9 @@ test("a page of the door says which it is, and goes where the door leads when it
   const { gone, socket } = connect(t, undefined, "");
   assert.equal(socket().address.href, "ws://127.0.0.1:8765/ws?page=forecastle");
   socket().accept();
-  socket().close(4001);
+  socket().close(4001, "the class is over");
   assert.deepEqual(gone, ["/"]);
+  assert.deepEqual([whySentAway(), whySentAway()], ["the class is over", ""], "told once");
   timers.tick(10000);
   assert.equal(Socket.all.length, 1);
 });
