@@ -46,6 +46,26 @@ std::vector<Mark> Judgement::deductions() const {
     return found;
 }
 
+Reckoning reckoning_of(const Attempt& attempt, const Judgement& judgement) {
+    Reckoning all;
+    double to_do = 0, done = 0, kept = 0;
+    for (const Mark& mark : judgement.marks) {
+        all.lost += mark.lost;
+        if (mark.criterion->deed()) {
+            to_do += mark.points;
+            done += mark.points - mark.lost;
+        } else {
+            kept += mark.points - mark.lost;
+        }
+    }
+    if (to_do > 0) all.done = done / to_do;
+    all.unearned = kept * (1 - all.done);
+    constexpr double kBetween = 0.75; // of what is left: the score is all of it, or half
+    if (attempt.assessment)
+        all.halved = attempt.assessment->score() < kBetween * (100 - all.lost - all.unearned);
+    return all;
+}
+
 std::optional<Mark> went_wrong(const Attempt& attempt, const Judgement& judgement) {
     if (!attempt.assessment) return std::nullopt;
     constexpr double kAtTheEnd = 1; // s

@@ -89,6 +89,26 @@ std::string remedy(const PageContext& page, const std::string& criterion) {
     return {};
 }
 
+/// How the score comes of the deductions, where they are not all.
+std::string reckoning(const PageContext& page, const Judgement& judgement) {
+    constexpr double kSeen = 0.05; // points
+    const Reckoning of = reckoning_of(page.attempt, judgement);
+    if (of.unearned < kSeen && !of.halved) return {};
+    std::string text = fmt::format("<p>100 less these {:.1f}", of.lost);
+    if (of.unearned >= kSeen)
+        text += fmt::format(
+            ", and less {:.1f} since limits and prohibitions that were kept count in the measure in "
+            "which the rest was done ({:.0f} %; so it is with each objective)",
+            of.unearned, 100 * of.done);
+    text += fmt::format(": {:.1f}.", 100 - of.lost - of.unearned);
+    if (of.halved)
+        text +=
+            fmt::format(" Halved, since a must or an objective was missed or not shown, or the bridge had no "
+                        "answer: {:.1f}.",
+                        page.attempt.assessment->score());
+    return text + "</p>\n";
+}
+
 std::string deductions(const PageContext& page, const Judgement& judgement) {
     std::vector<std::string> columns{"time", "criterion", "points lost", "reason"};
     if (page.options.remedies) columns.emplace_back("what would have kept it");
@@ -105,6 +125,7 @@ std::string deductions(const PageContext& page, const Judgement& judgement) {
     const std::string& what_if = page.options.links.what_if;
     return "<h3>Deductions</h3>\n" +
            table("Points lost of 100, by when it first went wrong; reasons count in weights", columns, rows) +
+           reckoning(page, judgement) +
            (what_if.empty() || page.options.remedies || !page.attempt.assessment->finished()
                 ? ""
                 : fmt::format(

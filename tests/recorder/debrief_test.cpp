@@ -144,6 +144,54 @@ TEST(DebriefTest, PointsLostAreTheShareOfTheCriteriaInPlay) {
     EXPECT_EQ(judgement.strongest(3)[0].criterion->code(), "clutch");
 }
 
+// Marks and scores of two strangers' attempts at L01, as the server had given them.
+TEST(DebriefTest, DeductionsComeToTheScoreWithWhatOnlyGuardsAndWhatIsHalved) {
+    const auto reckoned = [](double score,
+                             const std::vector<std::tuple<bool, unsigned, unsigned>>& criteria) {
+        Attempt attempt;
+        Assessment& marks = attempt.assessment.emplace();
+        marks.finished(true);
+        marks.score(score);
+        for (const auto& [deed, weight, milli] : criteria) {
+            auto& one = marks.criteria().emplace_back(
+                test::criterion("one", CRITERION_STATE_AT, CRITERION_MET, weight, milli, "", 1, ""));
+            one.deed(deed);
+        }
+        const Reckoning of = reckoning_of(attempt, judgement_of(attempt));
+        return (100 - of.lost - of.unearned) / (of.halved ? 2 : 1);
+    };
+    constexpr double kRounded = 0.1; // the marks are told in whole per cent, the score in tenths
+    EXPECT_NEAR(reckoned(85.2, {{false, 5, 1000},
+                                {false, 10, 580},
+                                {false, 15, 1000},
+                                {false, 10, 1000},
+                                {false, 5, 1000},
+                                {true, 15, 1000},
+                                {true, 15, 1000},
+                                {true, 10, 1000},
+                                {true, 15, 753},
+                                {true, 6, 500},
+                                {false, 5, 1000},
+                                {true, 8, 1000},
+                                {true, 4, 0},
+                                {true, 10, 1000},
+                                {true, 5, 1000}}),
+                85.2, kRounded);
+    EXPECT_NEAR(reckoned(22.4, {{false, 5, 1000},
+                                {false, 10, 1000},
+                                {false, 15, 1000},
+                                {false, 10, 1000},
+                                {false, 5, 1000},
+                                {true, 15, 0},
+                                {true, 15, 0},
+                                {true, 15, 945},
+                                {true, 6, 1000},
+                                {false, 5, 1000},
+                                {true, 8, 1000},
+                                {true, 4, 0}}),
+                22.4, kRounded);
+}
+
 TEST(DebriefTest, WhatOnlyGuardsIsNotPraised) {
     const Folder folder;
     Attempt attempt = attempt_of(folder);
