@@ -243,7 +243,8 @@ test("a seat is told that the lesson is over, and why, while the exercise runs o
     await eventually(
       "and where his marks are",
       async () =>
-        (await over.textContent()) === "The lesson is over: its time is up. What came of it stands under Marks.",
+        (await over.textContent()) ===
+        "The lesson is over: the bridge had no answer. What came of it stands under Marks.",
     );
     const marks = page.getByRole("dialog", { name: "what came of it" });
     await eventually("they are shown", () => marks.isVisible());
