@@ -430,7 +430,10 @@ void Checks::look_at_orders(const run::Session& session) {
         // Where a run begins with words for every lever, its state does not tell whether it was set up.
         const bool set_up = std::ranges::any_of(
             session.events(), [](const auto& event) { return event.code == "exercise.ready"; });
-        set_up ? begin_line(session) : leave_line();
+        if (set_up)
+            begin_line(session);
+        else
+            leave_line();
         if (!(set_up ? begins_at == 0 && comes_to(line(), 0, state) : go_on_from(line(), begins_at, state)))
             fail("state", fmt::format("that of the undisturbed course at tick {}", base->tick),
                  fmt::format("{:016x} after a {}", base->state_hash, set_up ? "reset" : "restore"));

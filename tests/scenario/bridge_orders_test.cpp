@@ -121,6 +121,17 @@ TEST(BridgeOrders, OneGivenAgainIsRepeatedByWhoeverRepeatsAnyOfThem) {
     EXPECT_EQ(drill.count("order.repeated"), 1) << "it was said once";
 }
 
+TEST(BridgeOrders, OneInOwnWordsIsNotAnotherOne) {
+    Drill drill = lying_still();
+    for (const char* text : {"check her at four", "slack the stopper", "I say again: check her at four"})
+        drill.give(BridgeOrderGiven{.code = BridgeOrderCode::text, .text = text});
+    drill.give(ReportMade{.code = ReportCode::order_repeated, .order_number = 1});
+    drill.tick();
+    EXPECT_EQ(state(drill, 1), BridgeOrderState::repeated);
+    EXPECT_EQ(state(drill, 2), BridgeOrderState::given);
+    EXPECT_EQ(state(drill, 3), BridgeOrderState::repeated);
+}
+
 TEST(BridgeOrders, AQuestionNeedNotBeRepeated) {
     Drill drill = lying_still();
     drill.give(BridgeOrderGiven{.code = BridgeOrderCode::how_leading, .side = 0});

@@ -18,6 +18,23 @@ std::string called(const BridgeOrderView& order, const char* what) {
     return line;
 }
 
+bool waits(const BridgeOrderView& order) {
+    return order.state != BridgeOrderState::repeated && order.state != BridgeOrderState::cancelled;
+}
+
+bool same_figure(double one, double other) {
+    constexpr double kApart = 1e-6; // shackles or m, that two ways of writing a figure may differ by
+    return std::abs(one - other) < kApart;
+}
+
+/// The same order, also where the bridge put "I say again" before it. One in own words is told by these.
+bool is_same(const BridgeOrderGiven& one, const BridgeOrderGiven& other) {
+    return one.code == other.code && one.side == other.side && same_figure(one.value, other.value) &&
+           one.cancels == other.cancels &&
+           (one.code != BridgeOrderCode::text || one.text.ends_with(other.text) ||
+            other.text.ends_with(one.text));
+}
+
 } // namespace
 
 std::string order_words(BridgeOrderCode code, int side, double value) {
@@ -58,24 +75,19 @@ void BridgeOrders::give(const BridgeOrderGiven& given, const When& when, const E
 }
 
 void BridgeOrders::hear(const ReportMade& report, const When& when, const EventLog& log) {
-    constexpr double kSameFigure = 1e-6; // shackles or m, that two ways of writing a figure may differ by
     if (report.code != ReportCode::order_repeated) return;
     const BridgeOrderView* named = find(report.order_number);
-    const auto waits = [](const BridgeOrderView& order) {
-        return order.state != BridgeOrderState::repeated && order.state != BridgeOrderState::cancelled;
-    };
     if (named == nullptr || !waits(*named)) return;
     const BridgeOrderGiven given = named->given;
-    const auto says = [](const BridgeOrderGiven& order, BridgeOrderCode code, int side, double value) {
-        return order.code == code && order.side == side && std::abs(order.value - value) < kSameFigure;
-    };
-    const bool same = says(given, report.order_code, report.side, report.value);
-    log(same ? words::EventCode("order.repeated") : words::EventCode("order.misrepeated"), given.side,
-        report.order_number, called(*named, same ? "repeated" : "repeated wrongly"));
-    // Said once, it answers each time that the same was given.
-    for (BridgeOrderView& order : orders_)
-        if (waits(order) && says(order.given, given.code, given.side, given.value))
-            change(order, same ? BridgeOrderState::repeated : BridgeOrderState::misrepeated, when);
+    const bool right = report.order_code == given.code && report.side == given.side &&
+                       same_figure(report.value, given.value);
+    if (right)
+        log("order.repeated", given.side, named->number, called(*named, "repeated"));
+    else
+        log("order.misrepeated", given.side, named->number, called(*named, "repeated wrongly"));
+    for (BridgeOrderView& order : orders_) // said once, it answers each time that the same was given
+        if (waits(order) && is_same(order.given, given))
+            change(order, right ? BridgeOrderState::repeated : BridgeOrderState::misrepeated, when);
 }
 
 void BridgeOrders::watch(const When& when, const EventLog& log) {
