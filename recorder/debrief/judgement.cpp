@@ -1,6 +1,7 @@
 #include "recorder/debrief/judgement.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace windlass::debrief {
 
@@ -46,23 +47,21 @@ std::vector<Mark> Judgement::deductions() const {
     return found;
 }
 
-Reckoning reckoning_of(const Attempt& attempt, const Judgement& judgement) {
+std::optional<Reckoning> reckoning_of(const Attempt& attempt, const Judgement& judgement) {
+    if (!attempt.assessment) return std::nullopt;
+    constexpr double kRounded = 0.1; // points: the score is told in tenths, marks in thousandths
     Reckoning all;
     double to_do = 0, done = 0, kept = 0;
     for (const Mark& mark : judgement.marks) {
         all.lost += mark.lost;
-        if (mark.criterion->deed()) {
-            to_do += mark.points;
-            done += mark.points - mark.lost;
-        } else {
-            kept += mark.points - mark.lost;
-        }
+        (mark.criterion->deed() ? done : kept) += mark.points - mark.lost;
+        if (mark.criterion->deed()) to_do += mark.points;
     }
     if (to_do > 0) all.done = done / to_do;
     all.unearned = kept * (1 - all.done);
-    constexpr double kBetween = 0.75; // of what is left: the score is all of it, or half
-    if (attempt.assessment)
-        all.halved = attempt.assessment->score() < kBetween * (100 - all.lost - all.unearned);
+    const double left = 100 - all.lost - all.unearned, score = attempt.assessment->score();
+    all.halved = std::abs(left - score) > kRounded;
+    if (all.halved && std::abs(left / 2 - score) > kRounded) return std::nullopt;
     return all;
 }
 

@@ -32,15 +32,15 @@ struct Judgement {
     std::vector<Mark> strongest(int most) const; ///< deeds with full marks, the heaviest first
 };
 
-/// How the score comes of what each criterion lost, as server/assess/result.cpp has it.
+/// How the score comes of what each criterion lost, by the rule of server/assess/result.cpp.
 struct Reckoning {
-    double lost = 0; ///< of 100 points, by the criteria
-    double done =
-        1; ///< 0..1, of what was to be done: in that measure limits and prohibitions count that were kept
+    double lost = 0;     ///< of 100 points, by the criteria
+    double done = 1;     ///< 0..1, of what was to be done: in that measure what only guards counts
     double unearned = 0; ///< of 100 points, lost by that
     bool halved = false; ///< what is left is halved
 };
-Reckoning reckoning_of(const Attempt& attempt, const Judgement& judgement);
+/// Nothing where it does not come to the score that the server has given.
+std::optional<Reckoning> reckoning_of(const Attempt& attempt, const Judgement& judgement);
 
 /// Empty where nothing was assessed. The attempt must outlive it.
 Judgement judgement_of(const Attempt& attempt);

@@ -92,8 +92,9 @@ std::string remedy(const PageContext& page, const std::string& criterion) {
 /// How the score comes of the deductions, where they are not all.
 std::string reckoning(const PageContext& page, const Judgement& judgement) {
     constexpr double kSeen = 0.05; // points
-    const Reckoning of = reckoning_of(page.attempt, judgement);
-    if (of.unearned < kSeen && !of.halved) return {};
+    const auto found = reckoning_of(page.attempt, judgement);
+    if (!found || (found->unearned < kSeen && !found->halved)) return {};
+    const Reckoning& of = *found;
     std::string text = fmt::format("<p>100 less these {:.1f}", of.lost);
     if (of.unearned >= kSeen)
         text += fmt::format(

@@ -157,8 +157,8 @@ TEST(DebriefTest, DeductionsComeToTheScoreWithWhatOnlyGuardsAndWhatIsHalved) {
                 test::criterion("one", CRITERION_STATE_AT, CRITERION_MET, weight, milli, "", 1, ""));
             one.deed(deed);
         }
-        const Reckoning of = reckoning_of(attempt, judgement_of(attempt));
-        return (100 - of.lost - of.unearned) / (of.halved ? 2 : 1);
+        const auto of = reckoning_of(attempt, judgement_of(attempt));
+        return of ? (100 - of->lost - of->unearned) / (of->halved ? 2 : 1) : -1;
     };
     constexpr double kRounded = 0.1; // the marks are told in whole per cent, the score in tenths
     EXPECT_NEAR(reckoned(85.2, {{false, 5, 1000},
@@ -190,6 +190,7 @@ TEST(DebriefTest, DeductionsComeToTheScoreWithWhatOnlyGuardsAndWhatIsHalved) {
                                 {true, 8, 1000},
                                 {true, 4, 0}}),
                 22.4, kRounded);
+    EXPECT_EQ(reckoned(70, {{true, 1, 1000}, {true, 1, 0}}), -1) << "50 or 25 would be so";
 }
 
 TEST(DebriefTest, WhatOnlyGuardsIsNotPraised) {
