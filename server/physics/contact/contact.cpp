@@ -21,6 +21,7 @@ ContactSet::ContactSet(int node_contacts, int pair_contacts) : ties_(pair_contac
     reactions_.reserve(node_contacts);
     minima_.reserve(node_contacts);
     borne_.reserve(node_contacts);
+    touched_.reserve(node_contacts + 4 * pair_contacts + 1);
     nodes_.reserve(node_contacts + 4 * pair_contacts + 1);
 }
 
@@ -49,24 +50,26 @@ void ContactSet::add(const Edge& edge) {
 }
 
 void ContactSet::gather_nodes() {
-    nodes_.clear();
+    touched_.clear();
     for (const NodeContact& c : contacts_)
-        nodes_.emplace_back(c.node);
+        touched_.push_back(c.node);
     bool with_anchor = false;
     for (const PairContact& p : ties_.all()) {
-        nodes_.emplace_back(p.link_a);
-        nodes_.emplace_back(p.link_a + 1);
+        touched_.push_back(p.link_a);
+        touched_.push_back(p.link_a + 1);
         if (p.body_b == Body::anchor) {
             with_anchor = true;
         } else {
-            nodes_.emplace_back(p.link_b);
-            nodes_.emplace_back(p.link_b + 1);
+            touched_.push_back(p.link_b);
+            touched_.push_back(p.link_b + 1);
         }
     }
-    if (with_anchor) nodes_.emplace_back(0); // it moves with the anchor
-    std::sort(nodes_.begin(), nodes_.end(), [](const Node& a, const Node& b) { return a.index < b.index; });
-    const auto same = [](const Node& a, const Node& b) { return a.index == b.index; };
-    nodes_.erase(std::unique(nodes_.begin(), nodes_.end(), same), nodes_.end());
+    if (with_anchor) touched_.push_back(0); // it moves with the anchor
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    nodes_.clear();
+    for (const int node : touched_)
+        nodes_.emplace_back(node);
 }
 
 int ContactSet::place_of(int node) const {

@@ -119,6 +119,7 @@ private:
     std::vector<NodeContact> contacts_;
     PairContacts ties_;
     LinkWraps wraps_;
+    std::vector<int> touched_; // nodes of all contacts, some more than once
     std::vector<Node> nodes_;
     std::vector<Bearing> bearings_;
     std::vector<double> reactions_;   ///< N s, per touch

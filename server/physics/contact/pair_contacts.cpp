@@ -30,6 +30,7 @@ void PairContacts::clear() {
 PairContacts::PairContacts(int capacity) {
     pairs_.reserve(capacity);
     ties_.reserve(capacity);
+    pushes_.resize(capacity);
 }
 
 bool PairContacts::add(const PairContact& contact) {
@@ -40,6 +41,7 @@ bool PairContacts::add(const PairContact& contact) {
 
 void PairContacts::enter(std::span<const CableInStep> cables, const StepTime& time) {
     time_ = time;
+    per_dt_ = 1 / time.dt;
     cables_ = {};
     for (std::size_t c = 0; c < cables.size(); ++c)
         cables_[c].in = cables[c];
@@ -51,6 +53,7 @@ void PairContacts::enter(std::span<const CableInStep> cables, const StepTime& ti
         tie.ends = (p.body_a == Body::chain ? 2 : 0) + (p.body_b == Body::chain ? 2 : 0);
         const double damping = p.penetration > 0 ? p.damping : 0; // none before they touch
         tie.softness = 1 / (time_.kick * (damping + time_.dt * p.stiffness));
+        tie.spring = time_.kick * p.stiffness * p.penetration * tie.softness;
         for (int e = 0; e < tie.ends; ++e) {
             const ChainState& state = *cable_of(p, e).in.state;
             if (tie.node[e] < state.asleep) tie.share[e] = 0; // what sleeps stays
@@ -78,14 +81,14 @@ void PairContacts::press() {
             tie.friction_give += weight * tie.carries[e].trace();
         }
         each_anchor(p, [&](int side, int cable, const AnchorPoint& point, double sign) {
-            tie.pushes[side] = sign * pushed_by(point, cables_[cable].in.anchor->yielding);
+            pushes_[k][side] = sign * pushed_by(point, cables_[cable].in.anchor->yielding);
             Eigen::Matrix3d w;
             for (int axis = 0; axis < 3; ++axis)
-                w.col(axis) = sign * point_velocity(point, tie.pushes[side].col(axis));
+                w.col(axis) = sign * point_velocity(point, pushes_[k][side].col(axis));
             tie.give += p.normal.dot(w * p.normal);
             tie.friction_give += w.trace();
         });
-        give(p, tie, tie.impulse * p.normal + tie.rubbing);
+        give(k, tie.impulse * p.normal + tie.rubbing);
     }
     for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
         double change = 0, largest = 0;
@@ -99,11 +102,13 @@ void PairContacts::press() {
 }
 
 /// Velocity of a against b as it is now, m/s.
-Vec3 PairContacts::apart(const PairContact& pair, const Tie& tie) {
+Vec3 PairContacts::apart(std::size_t k) const {
+    const Tie& tie = ties_[k];
+    const PairContact& pair = pairs_[k];
     Vec3 apart = -tie.from; // m first
     for (int e = 0; e < tie.ends; ++e)
         apart += tie.share[e] * cable_of(pair, e).in.predicted->at(tie.node[e]);
-    apart *= 1 / time_.dt;
+    apart *= per_dt_;
     each_anchor(pair, [&](int, int end, const AnchorPoint& point, double sign) {
         const Cable& cable = cables_[end];
         apart += sign * point_velocity(point, cable.in.anchor->motion + cable.pushed + cable.pulled);
@@ -112,7 +117,9 @@ Vec3 PairContacts::apart(const PairContact& pair, const Tie& tie) {
 }
 
 /// Gives an impulse (N s) to a and takes it from b.
-void PairContacts::give(const PairContact& pair, const Tie& tie, const Vec3& impulse) {
+void PairContacts::give(std::size_t k, const Vec3& impulse) {
+    const Tie& tie = ties_[k];
+    const PairContact& pair = pairs_[k];
     for (int e = 0; e < tie.ends; ++e) {
         Cable& cable = cable_of(pair, e);
         const int node = tie.node[e];
@@ -123,7 +130,7 @@ void PairContacts::give(const PairContact& pair, const Tie& tie, const Vec3& imp
     }
     each_anchor(pair, [&](int side, int end, const AnchorPoint&, double) {
         Cable& cable = cables_[end];
-        const Vector7 change = tie.pushes[side] * impulse;
+        const Vector7 change = pushes_[k][side] * impulse;
         cable.pushed += change;
         if (cable.in.state->asleep == 0)
             cable.in.predicted->add(0, time_.dt * point_velocity({.arm = cable.in.anchor->shackle}, change));
@@ -135,11 +142,10 @@ void PairContacts::give(const PairContact& pair, const Tie& tie, const Vec3& imp
 double PairContacts::press(std::size_t k) {
     const PairContact& p = pairs_[k];
     Tie& tie = ties_[k];
-    const Vec3 moving = apart(p, tie);
+    const Vec3 moving = apart(k);
     const double parting = moving.dot(p.normal);
-    const double spring = time_.kick * p.stiffness * p.penetration * tie.softness; // m/s
     const double wanted =
-        tie.impulse + (spring - parting - tie.softness * tie.impulse) / (tie.softness + tie.give);
+        tie.impulse + (tie.spring - parting - tie.softness * tie.impulse) / (tie.softness + tie.give);
     const double impulse = std::max(0.0, wanted);
     const double change = impulse - tie.impulse;
     tie.impulse = impulse;
@@ -151,7 +157,7 @@ double PairContacts::press(std::size_t k) {
         given += rubbing - tie.rubbing;
         tie.rubbing = rubbing;
     }
-    give(p, tie, given);
+    give(k, given);
     return std::abs(change);
 }
 

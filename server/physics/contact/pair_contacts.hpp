@@ -91,9 +91,9 @@ private:
         std::array<int, 4> node;                ///< of cable_a, cable_a, cable_b, cable_b
         std::array<double, 4> share;            ///< none of a node that sleeps
         std::array<SymmetricMatrix, 4> carries; ///< m, where an impulse (N s) takes a node in the step
-        std::array<AnchorPush, 2> pushes;       ///< what it makes of the motion of the anchor that a, b is
         Vec3 from = Vec3::Zero();               ///< m, shares of where the nodes are before the step, summed
         int ends = 0;                           ///< nodes in use: none of anchors
+        double spring = 0;                      ///< m/s, that the spring would part them with
         double softness = 0, give = 0, friction_give = 0; ///< m/s per N s
         double impulse = 0;                               ///< N s
         Vec3 rubbing = Vec3::Zero();                      ///< N s, across the normal
@@ -103,14 +103,19 @@ private:
     Cable& cable_of(const PairContact& pair, int end) {
         return cables_[end < 2 ? pair.cable_a : pair.cable_b];
     }
-    Vec3 apart(const PairContact& pair, const Tie& tie);
-    void give(const PairContact& pair, const Tie& tie, const Vec3& impulse);
+    const Cable& cable_of(const PairContact& pair, int end) const {
+        return cables_[end < 2 ? pair.cable_a : pair.cable_b];
+    }
+    Vec3 apart(std::size_t k) const;
+    void give(std::size_t k, const Vec3& impulse);
     double press(std::size_t k);
 
     StepTime time_;
     std::array<Cable, kCables> cables_;
     std::vector<PairContact> pairs_;
-    std::vector<Tie> ties_;
+    std::vector<Tie> ties_; // small: a heap has hundreds, and each sweep goes through all of them
+    std::vector<std::array<AnchorPush, 2>> pushes_; // what one makes of the motion of the anchor that a, b is
+    double per_dt_ = 0;                             // 1/s
     bool at_rest_ = true;
 };
 
