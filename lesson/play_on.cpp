@@ -50,7 +50,7 @@ bool PlayedOn::conned() const {
 
 void PlayedOn::step() {
     if (course_.exercise().tick() % look_every_ == 0) {
-        course_.exercise().view(seen_);
+        course_.exercise().view_unhashed(seen_);
         const auto orders = look_and_act(seats_, seen_, status_);
         for (const run::ReceivedOrder& order : orders)
             take(std::get<exercise::Order>(order.what));
@@ -69,7 +69,7 @@ void PlayedOn::step() {
 }
 
 const exercise::Snapshot& PlayedOn::seen() {
-    if (!std::exchange(seen_is_now_, true)) course_.exercise().view(seen_);
+    if (!std::exchange(seen_is_now_, true)) course_.exercise().view_unhashed(seen_);
     return seen_;
 }
 

@@ -90,7 +90,7 @@ public:
 
     /// A sea that is a little another, from now on.
     void change_sea(double more_water, bool other_gusts) {
-        course_.exercise().view(seen_);
+        course_.exercise().view_unhashed(seen_);
         take(another_sea(seen_, more_water, other_gusts ? 1 : 0));
     }
 
@@ -131,7 +131,7 @@ private:
     /// The model's hands look, and act: beside a trainee nothing comes of that, and they keep what they
     /// would have said. What he has not said by then they say as they take over.
     void look(bool acts) {
-        course_.exercise().view(seen_);
+        course_.exercise().view_unhashed(seen_);
         std::vector<exercise::Order> now;
         for (lesson::Seat& seat : hands_->seats) {
             seat.look(seen_, status_);

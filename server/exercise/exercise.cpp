@@ -317,6 +317,13 @@ void Exercise::visit_state(StateVisitor& v) {
 }
 
 void Exercise::view(Snapshot& s) const {
+    view_unhashed(s);
+    StateHash hash;
+    visit_state(hash);
+    s.state_hash = hash.value();
+}
+
+void Exercise::view_unhashed(Snapshot& s) const {
     const World& w = *world_;
     const EnvironmentDef& environment = w.surroundings.environment();
     const WeatherInRamp& weather = w.surroundings.weather();
@@ -361,9 +368,7 @@ void Exercise::view(Snapshot& s) const {
         s.model_error = worse(s.model_error, bower.tackle.error(environment));
     }
     over_water(environment.level, s);
-    StateHash hash;
-    visit_state(hash);
-    s.state_hash = hash.value();
+    s.state_hash = 0;
     s.faults = w.faults.list();
     s.bridge_orders = w.orders.list();
     s.watch_circle = w.anchor_watch.circle();

@@ -37,6 +37,8 @@ public:
 
     /// Copies what can be seen from outside into snapshot, reusing its memory. Events of the last tick only.
     void view(Snapshot& snapshot) const;
+    /// The same but for the hash of the state, which costs as much as a third of a step: 0, not known.
+    void view_unhashed(Snapshot& snapshot) const;
 
     /// Whether anything was called out in the last tick.
     bool called() const;

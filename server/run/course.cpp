@@ -14,7 +14,7 @@ void Course::take(const OrderView& order) {
 bool Course::step() {
     if (!exercise_.step(1.0 / exercise_.def().tick_rate_hz)) return false;
     if (!assessor_.assesses()) return true;
-    exercise_.view(seen_);
+    exercise_.view_unhashed(seen_);
     ordered_.clear();
     assessor_.fold(seen_, ordered_);
     return true;

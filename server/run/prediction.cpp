@@ -44,7 +44,7 @@ bool Branch::asks() const {
 
 /// A branch whose figures are not finite shows none of them: the server would stop there, too.
 void Branch::look() {
-    course_.exercise().view(seen_);
+    course_.exercise().view_unhashed(seen_);
     if (exercise::is_finite(seen_))
         found_.moments.push_back(moment_of(seen_));
     else
@@ -53,7 +53,7 @@ void Branch::look() {
 
 void Branch::note_events() {
     if (!course_.exercise().called() || found_.events.size() == kMostEvents) return;
-    course_.exercise().view(seen_);
+    course_.exercise().view_unhashed(seen_);
     for (const exercise::ExerciseEvent& event : seen_.events)
         if (found_.events.size() < kMostEvents) found_.events.push_back(event);
 }

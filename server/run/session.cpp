@@ -355,19 +355,23 @@ bool Session::tick(bool show) {
     const std::uint64_t now = exercise_.tick();
     const bool last = options_.duration > 0 &&
                       now >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz));
-    if (!show && !last && !exercise_.called() && !checkpoint_due(now) && !assessor_.assesses()) {
+    // What is published or kept has its hash; the lesson looks at every tick, and at no hash.
+    const bool whole = show || last || exercise_.called() || checkpoint_due(now);
+    seen_ = whole;
+    if (!whole && !assessor_.assesses()) {
         tick_ = now, time_ = exercise_.time();
-        seen_ = false;
         return true;
     }
-    exercise_.view(next_);
+    if (whole)
+        exercise_.view(next_);
+    else
+        exercise_.view_unhashed(next_);
     if (!is_finite(next_)) {
         fail(kNotFinite);
         return false;
     }
     std::swap(snapshot_, next_);
     tick_ = snapshot_.tick, time_ = snapshot_.time;
-    seen_ = true;
     status_.orders_taken = orders_taken_;
     keep_events();
     watch_the_circle();
@@ -391,6 +395,7 @@ void Session::finish(const std::string& reason) {
 void Session::fail(const std::string& why) {
     status_.state = RunState::stopped_by_fault;
     failure_ = why;
+    seen_ = true; // the last picture that was good: nobody is to look at what there is now
     std::string where;
     try {
         const std::string name = options_.id.empty() ? def().name : options_.id + "-" + def().name;

@@ -69,7 +69,7 @@ public:
     /// The last tick that went well.
     std::uint64_t now_tick() const { return tick_; }
     double now_time() const { return time_; } ///< s of exercise, of it
-    /// Whether the snapshot is of it.
+    /// Whether the snapshot is of it, whole: of other ticks a lesson sees it without its hash.
     bool seen() const { return seen_; }
 
     /// Takes a checkpoint of the present state.

@@ -195,7 +195,7 @@ WINDLASS_FIELDS(ExerciseEvent, tick, time, number, severity, code, side, value, 
 struct Snapshot {
     std::uint64_t tick = 0;
     double time = 0;
-    std::uint64_t state_hash = 0;
+    std::uint64_t state_hash = 0; ///< 0: not known
     EnvironmentView environment;
     SeaView sea;
     ShipView ship;
