@@ -106,6 +106,24 @@ TEST(Bridge, HasAWrongRepeatPutRight) {
     EXPECT_TRUE(bridge.now().finished) << "nobody goes on with a man who does not hear what is said";
 }
 
+// Silence is answered late, however soon after it was asked a second time; a wrong word that is put right is
+// not.
+TEST(Bridge, CountsARepeatFromWhenItFirstGaveTheOrder) {
+    const auto reason = [](BridgeOrderState first) {
+        Bridge bridge(kPayOut);
+        bridge.on(1.5, first);
+        bridge.on(30, BridgeOrderState::repeated); // each that is given from now on, at once
+        EXPECT_GE(bridge.said.size(), 2U);
+        bridge.end();
+        return bridge.mark().reason;
+    };
+    const std::string silent = reason(BridgeOrderState::not_repeated),
+                      wrong = reason(BridgeOrderState::misrepeated);
+    EXPECT_NE(silent.find("repeated back after"), std::string::npos) << silent;
+    EXPECT_NE(wrong.find("repeated back wrongly"), std::string::npos) << wrong;
+    EXPECT_EQ(wrong.find("repeated back after"), std::string::npos) << wrong;
+}
+
 // Between the order that it gives again and the next wrong repeat it has not been understood either.
 TEST(Bridge, DoesNotGoOnFromAnOrderThatWasMisunderstood) {
     Bridge bridge(kPayOut);
