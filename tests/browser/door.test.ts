@@ -287,7 +287,7 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   assert.equal(await form.locator("select").first().inputValue(), "L01_let_go_25m");
   await look(owner, "class_next");
   await tablet.locator("input[name=code]").waitFor();
-  assert.match(await tablet.locator(".notice").textContent(), /the class is over|die Klasse ist beendet/);
+  assert.match(await tablet.locator(".notice").textContent(), /^(The class is over|Die Klasse ist beendet)/);
   for (const page of [owner, tablet, phone]) hadNoProblems(page);
 });
 

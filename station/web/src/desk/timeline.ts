@@ -115,6 +115,7 @@ export class Timeline {
     desk.events.onChange(() => (this.stale = true));
     for (const topic of ["Alert", "ServerAlert"] as const)
       desk.link.on(topic, (alert, _, written) => {
+        if (alert.raised_time > alert.time) return; // raised in an attempt that a reset has undone, rectified since
         const mark = {
           written,
           time: alert.raised_time,

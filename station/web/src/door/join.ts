@@ -4,6 +4,7 @@ import { h } from "../kit/dom";
 import { type Me, act, ask } from "./ask";
 import { field, form, frame } from "./frame";
 import { t, translated } from "../kit/language";
+import { capital } from "../kit/words";
 import { whySentAway } from "../wire/connection";
 
 const kLetters = 6; // of a code
@@ -55,7 +56,7 @@ export function makeJoin(): void {
     h(
       "div",
       { class: "narrow" },
-      h("p", { class: "notice", role: "status" }, translated(whySentAway())),
+      h("p", { class: "notice", role: "status" }, capital(translated(whySentAway()))),
       form(
         t("Take a seat"),
         [

@@ -54,7 +54,7 @@ export function openForecastle(): void {
   const men = new Men(link, () => stand.side, popover, tell);
   stand.head.append(men.button);
   const orders = new Orders(link, popover, tell);
-  const reports = new Reports(link, new Work(link), () => stand.side, popover, tell);
+  const reports = new Reports(link, new Work(link), () => stand.side, tell);
   const sounds = new Sounds(page, stand, orders, () => scene.ears());
   const speech = new Speech();
   orders.onOrder((order) => order.text !== kByHand && isFresh(order.time) && speech.say(orderAloud(order)));
@@ -144,7 +144,7 @@ export function openForecastle(): void {
 
   /** Buttons of an open choice, or of the report pad. */
   function choices(): HTMLElement[] {
-    const open = scene.element.querySelector(".popover");
+    const open = page.root.querySelector(".popover");
     return [...(open ?? reports.element).querySelectorAll<HTMLElement>("button, [role=button]")];
   }
   function step(by: number): void {

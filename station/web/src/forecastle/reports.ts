@@ -6,7 +6,7 @@ import { BridgeOrderCode, CableWeight, Growing, ReportCode, StayGiven } from "..
 import { h, setAttribute, svg } from "../kit/dom";
 import { type PadLeaf, allSaid, capital, orderRows, padLeaves, placeOf, reportRows, saidOf } from "../kit/words";
 import { figurePad } from "./pad";
-import type { Popover } from "../kit/popover";
+import { Popover } from "../kit/popover";
 import type { Work } from "./work";
 import { t, translated } from "../kit/language";
 
@@ -41,6 +41,7 @@ export class Reports {
   readonly element: HTMLElement;
   private readonly pad = h("div", { class: "report-pad", lang: "en" });
   private readonly leaves: HTMLButtonElement[];
+  private readonly popover: Popover;
   private turnedTo: PadLeaf | undefined; // by a touch, until the work goes on
   private shown: PadLeaf | undefined;
 
@@ -49,7 +50,6 @@ export class Reports {
     private readonly link: Connection,
     private readonly work: Work,
     private readonly side: () => number,
-    private readonly popover: Popover,
     private readonly tell: (text: string) => void,
   ) {
     this.leaves = padLeaves.map((leaf) =>
@@ -75,6 +75,7 @@ export class Reports {
       ),
       this.pad,
     );
+    this.popover = new Popover(this.element); // here: what is reported is to be seen in the picture meanwhile
     work.onTurn(() => this.turn(undefined));
     link.on("ForecastleView", (view) => view.side === this.side() && this.show()); // of the anchor, at first
     this.show();

@@ -30,6 +30,13 @@ export class SceneView {
   private readonly underWater: HTMLButtonElement;
   private readonly lamp: HTMLButtonElement;
   private readonly message = h("p", { class: "scene-message" }, t("Waiting for the ship ..."));
+  /** Over the bow nothing in the picture says where ahead is; who stands there feels it. */
+  private readonly ahead = h(
+    "p",
+    { class: "ahead", hidden: true },
+    h("span", { "aria-hidden": "true" }, "\u2191"),
+    t("Ahead"),
+  );
   private scene: ShipScene | undefined;
   private drawn: bigint | undefined; // definition of what the scene shows
   private camera: CameraName = "stand";
@@ -64,6 +71,7 @@ export class SceneView {
       { class: "scene", "aria-label": t("picture") },
       this.canvas,
       this.message,
+      this.ahead,
       h(
         "div",
         { class: "scene-top" },
@@ -157,6 +165,18 @@ export class SceneView {
   private draw(now: number): void {
     if (!this.scene || this.page.link.state !== "open") return;
     const frame = frameOfSeat(this.page.link, now);
-    if (frame) this.scene.draw(this.cry.time === undefined ? frame : { ...frame, cried: this.cry.time });
+    if (!frame) return;
+    this.scene.draw(this.cry.time === undefined ? frame : { ...frame, cried: this.cry.time });
+    this.showAhead(this.scene);
+  }
+
+  private showAhead(scene: ShipScene): void {
+    const lip = scene.gear(this.side)?.tackle.lip;
+    const here = lip && scene.onCanvas([lip.x, lip.y, 0], "ship");
+    const there = lip && scene.onCanvas([lip.x + 2, lip.y, 0], "ship");
+    this.ahead.hidden = this.camera !== "bow" || !here || !there;
+    if (!here || !there) return;
+    const turned = Math.round((Math.atan2(there.x - here.x, here.y - there.y) * 180) / Math.PI);
+    setAttribute(this.ahead, "style", `--turned: ${turned}deg`);
   }
 }
