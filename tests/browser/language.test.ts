@@ -84,12 +84,15 @@ test("another language is chosen among the units, and not out of a hand that is 
   await close.click();
   await page.keyboard.press("b");
   await eventually("the levers are in hand", () => page.getByRole("button", { name: "Abgeben" }).isVisible());
+  const early = page.getByText("Noch nicht gestartet: Was Sie jetzt verstellen, wirkt mit dem Start.");
+  await eventually("it is told that nothing moves before the start", () => early.isVisible());
   await page.getByRole("button", { name: /^Einheiten/ }).click();
   await page.getByRole("radio", { name: "English" }).click();
   await eventually("it is refused", () => page.getByText("erst abgeben").isVisible());
   assert.equal(await language(), "de");
   await close.click();
   await page.getByRole("button", { name: "Abgeben" }).click();
+  await eventually("who has let go need not be told", () => early.isHidden());
   await page.getByRole("button", { name: /^Einheiten/ }).click();
   await page.getByRole("radio", { name: "English" }).click();
   await eventually("the page is loaded anew in English", async () => (await language()) === "en");

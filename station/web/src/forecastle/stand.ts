@@ -1,7 +1,7 @@
 // The stand in front of the trainee: gauges above, levers below, of the windlass in hand.
 
 import type { Connection } from "../wire/connection";
-import type { ForecastleView, SceneTackle } from "../wire/generated";
+import { type ForecastleView, RunState, type SceneTackle } from "../wire/generated";
 import { ownerWords, takenWords } from "../kit/authority";
 import { h, setAttribute, setShown, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
@@ -143,7 +143,9 @@ export class Stand {
     setText(this.owner, view || authority.owner !== "nobody" ? ownerWords(authority) : t("waiting …"));
     setAttribute(this.element, "data-owner", authority.owner);
     setShown(this.letGo, this.link.holds(this.side_));
-    if (now > this.noticeUntil) setText(this.notice, "");
+    const waits = this.link.latest("ExerciseStatus")?.state === RunState.RUN_READY && this.link.holds(this.side_);
+    if (waits) setText(this.notice, t("Not started yet: what you move now acts as it starts."));
+    else if (now > this.noticeUntil) setText(this.notice, "");
     if (!view || !levers) return;
     const movable = this.hand.movable();
     const tackle = this.tackle();
