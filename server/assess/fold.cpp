@@ -153,11 +153,10 @@ void watch_orders(const Lesson& lesson, State& state, const Snapshot& seen, int 
                 state.asked = 0;
                 // From when it was first given, where nobody answered: that it had to be said again makes it
                 // no sooner. A wrong repeat was an answer.
-                const std::int64_t late = state.tick - course.given;
+                const double since =
+                    course.misrepeated ? found->time : static_cast<double>(course.given) / tick_rate;
                 const double within = found->repeat_by - found->time;
-                course.in_time = found->repeat_by <= 0 ||
-                                 (course.misrepeated ? seen.time <= found->repeat_by + 1.0 / tick_rate
-                                                     : late <= ticks(within, tick_rate) + 1);
+                course.in_time = found->repeat_by <= 0 || seen.time <= since + within + 1.0 / tick_rate;
             }
         }
         if (course.done < 0) watch_deed(lesson, state, k, seen, tick_rate);

@@ -102,7 +102,7 @@ void PairContacts::press() {
 }
 
 /// Velocity of a against b as it is now, m/s.
-Vec3 PairContacts::apart(std::size_t k) const {
+Vec3 PairContacts::apart(std::size_t k) {
     const Tie& tie = ties_[k];
     const PairContact& pair = pairs_[k];
     Vec3 apart = -tie.from; // m first

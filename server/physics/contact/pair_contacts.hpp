@@ -103,10 +103,7 @@ private:
     Cable& cable_of(const PairContact& pair, int end) {
         return cables_[end < 2 ? pair.cable_a : pair.cable_b];
     }
-    const Cable& cable_of(const PairContact& pair, int end) const {
-        return cables_[end < 2 ? pair.cable_a : pair.cable_b];
-    }
-    Vec3 apart(std::size_t k) const;
+    Vec3 apart(std::size_t k);
     void give(std::size_t k, const Vec3& impulse);
     double press(std::size_t k);
 

@@ -2,7 +2,7 @@
 
 import { showsTopic } from "../kit/live";
 import { everyFrame, type Page } from "../kit/page";
-import { h, setAttribute } from "../kit/dom";
+import { h, setAttribute, setShown } from "../kit/dom";
 import { onPalette } from "../kit/palette";
 import { Cry } from "../kit/cry";
 import { frameOfSeat } from "../scene/from_seat";
@@ -171,10 +171,10 @@ export class SceneView {
   }
 
   private showAhead(scene: ShipScene): void {
-    const lip = scene.gear(this.side)?.tackle.lip;
+    const lip = this.camera === "bow" ? scene.gear(this.side)?.tackle.lip : undefined;
     const here = lip && scene.onCanvas([lip.x, lip.y, 0], "ship");
     const there = lip && scene.onCanvas([lip.x + 2, lip.y, 0], "ship");
-    this.ahead.hidden = this.camera !== "bow" || !here || !there;
+    setShown(this.ahead, here !== undefined && there !== undefined);
     if (!here || !there) return;
     const turned = Math.round((Math.atan2(there.x - here.x, here.y - there.y) * 180) / Math.PI);
     setAttribute(this.ahead, "style", `--turned: ${turned}deg`);
