@@ -47,14 +47,17 @@ inline double share_of_memory(pid_t pid) {
     return megabytes(pid, "smaps_rollup", "Pss:");
 }
 
-/// A process and those that it has started, all the way down.
+/// A process and those that it has started, by whichever of its threads, all the way down.
 inline std::vector<pid_t> family_of(pid_t pid) {
     std::vector<pid_t> all{pid};
     for (std::size_t k = 0; k < all.size(); ++k) {
-        const std::string name = std::to_string(all[k]);
-        std::ifstream children("/proc/" + name + "/task/" + name + "/children");
-        for (pid_t child = 0; children >> child;)
-            all.push_back(child);
+        std::error_code gone;
+        for (const auto& task :
+             std::filesystem::directory_iterator("/proc/" + std::to_string(all[k]) + "/task", gone)) {
+            std::ifstream children(task.path() / "children");
+            for (pid_t child = 0; children >> child;)
+                all.push_back(child);
+        }
     }
     return all;
 }
