@@ -155,16 +155,19 @@ dds::DomainParticipantQos profile(const std::string& file) {
 
 } // namespace
 
-dds::DomainParticipantQos participant_qos(int domain, const Network& network, bool secure) {
+bool by_profile() {
     const char* file = std::getenv(kProfilesVariable);
-    const bool has_profile = file != nullptr && *file != '\0';
+    return file != nullptr && *file != '\0';
+}
+
+dds::DomainParticipantQos participant_qos(int domain, const Network& network, bool secure) {
     const bool asked = network.lan || !network.discovery_server.empty();
-    if (has_profile && asked) {
+    if (by_profile() && asked) {
         throw std::runtime_error(std::string("DDS: ") + kProfilesVariable +
                                  " is set and says how the others are found; --lan and --discovery-server "
                                  "do not go with it");
     }
-    if (has_profile) return profile(file);
+    if (by_profile()) return profile(std::getenv(kProfilesVariable));
     auto qos = !network.discovery_server.empty() ? client_of(network.discovery_server)
                : network.lan                     ? lan()
                                                  : one_host();

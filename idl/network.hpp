@@ -12,4 +12,7 @@ namespace windlass::wire {
 /// what is wrong. domain, secure: of the participant.
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(int domain, const Network& network, bool secure);
 
+/// FASTRTPS_DEFAULT_PROFILES_FILE names a file, by which the others are found.
+bool by_profile();
+
 } // namespace windlass::wire

@@ -1,6 +1,7 @@
 #include "idl/participant.hpp"
 
 #include "idl/fast_dds_2_9/abandoned_memory.hpp"
+#include "idl/fast_dds_2_9/ports.hpp"
 #include "idl/network.hpp"
 #include "idl/security.hpp"
 
@@ -16,6 +17,7 @@
 namespace windlass::wire {
 
 namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
 
 namespace {
 
@@ -47,13 +49,13 @@ void keep_members_of_this_process_apart() {
 } // namespace
 
 Participant::Participant(const JoinOptions& session)
-    : impl_(std::make_shared<Impl>(std::make_shared<Member>(session), session.partition)) {}
+    : impl_(std::make_shared<Impl>(std::make_shared<Member>(session), session.partition, true)) {}
 
 Participant::Participant(const Participant& member, const std::string& partition)
-    : impl_(std::make_shared<Impl>(member.impl_->member, partition)) {}
+    : impl_(std::make_shared<Impl>(member.impl_->member, partition, false)) {}
 
 Member::Member(const JoinOptions& session)
-    : versions_(session.on_other_version), identity_(session.security) {
+    : versions_(session.on_other_version), identity_(session.security), has_ports_(!by_profile()) {
     if (session.domain < 0 || session.domain > kHighestDomain) {
         throw std::runtime_error("DDS: domain " + std::to_string(session.domain) + " is not in 0.." +
                                  std::to_string(kHighestDomain));
@@ -116,7 +118,23 @@ dds::Topic* Member::topic(const TopicInfo& info, const dds::TypeSupport& type) {
     return made;
 }
 
-Participant::Impl::Impl(std::shared_ptr<Member> of, const std::string& in)
+rtps::LocatorList_t Member::heard_at(const std::string& partition) {
+    rtps::LocatorList_t list;
+    if (!has_ports_) return list;
+    const std::lock_guard lock(port_choice_);
+    std::uint16_t& port = ports_.at(std::hash<std::string>{}(partition) % kPorts);
+    if (port == 0) port = fresh_udp_port();
+    if (port == 0) return list;
+    if (!identity_.empty()) { // shared memory, as all samples of secure members
+        rtps::Locator_t memory(LOCATOR_KIND_SHM, port);
+        memory.address[0] = 'U'; // for one, not for a group
+        list.push_back(memory);
+    }
+    list.push_back(rtps::Locator_t(LOCATOR_KIND_UDPv4, port)); // at every address of the transport's
+    return list;
+}
+
+Participant::Impl::Impl(std::shared_ptr<Member> of, const std::string& in, bool first)
     : member(std::move(of)), partition(in) {
     if (partition.empty()) throw std::runtime_error("DDS: the partition has no name");
     dds::PublisherQos publisher_qos;
@@ -127,6 +145,7 @@ Participant::Impl::Impl(std::shared_ptr<Member> of, const std::string& in)
     subscriber = member->participant().create_subscriber(subscriber_qos);
     if (publisher == nullptr || subscriber == nullptr)
         throw std::runtime_error("DDS: no publisher or subscriber in partition " + partition);
+    if (!first) heard_at = member->heard_at(partition);
     member->versions().add_partition(partition);
 }
 

@@ -1,7 +1,6 @@
 #include "idl/raw.hpp"
 
 #include "idl/matched_readers.hpp"
-#include "idl/qos.hpp"
 #include "idl/topic_types.hpp"
 
 #include "idl/types.hpp"
@@ -106,7 +105,7 @@ private:
 struct RawReader::Impl : dds::DataReaderListener {
     Impl(Participant& owner, const TopicInfo& info, OnSample callback)
         : participant(owner.impl()), type(new RawType(compiled_type(info))), on_sample(std::move(callback)) {
-        const auto qos = shared_qos<dds::DataReaderQos>(info, type->m_typeSize);
+        const auto qos = participant->qos_of<dds::DataReaderQos>(info, type->m_typeSize);
         reader = participant->subscriber->create_datareader(participant->topic(info, type), qos, this,
                                                             dds::StatusMask::data_available());
         if (reader == nullptr) throw participant->none_of("reader", info);
@@ -163,7 +162,7 @@ std::uint64_t RawReader::wrong() const {
 struct RawWriter::Impl : MatchedReaders {
     Impl(Participant& owner, const TopicInfo& info, int ownership_strength)
         : participant(owner.impl()), type(new RawType(compiled_type(info))) {
-        auto qos = shared_qos<dds::DataWriterQos>(info, type->m_typeSize);
+        auto qos = participant->qos_of<dds::DataWriterQos>(info, type->m_typeSize);
         qos.ownership_strength().value = static_cast<std::uint32_t>(ownership_strength);
         qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000}; // as with typed writers
         writer = participant->publisher->create_datawriter(participant->topic(info, type), qos, this,

@@ -3,7 +3,6 @@
 #include "idl/bounds.hpp"
 #include "idl/matched_readers.hpp"
 #include "idl/participant.hpp"
-#include "idl/qos.hpp"
 #include "idl/topic_types.hpp"
 #include "idl/types.hpp"
 
@@ -85,7 +84,7 @@ struct Writer<T>::Impl : MatchedReaders {
     Impl(Participant& owner, const TopicInfo& info, int ownership_strength)
         : participant(owner.impl()), name(info.name) {
         dds::TypeSupport type(new CheckedType<T>());
-        auto qos = shared_qos<dds::DataWriterQos>(info, type->m_typeSize);
+        auto qos = participant->qos_of<dds::DataWriterQos>(info, type->m_typeSize);
         qos.ownership_strength().value = static_cast<std::uint32_t>(ownership_strength);
         // How soon a lost sample is sent again, and an acknowledgement asked for; the default is 3 s.
         qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000};
@@ -157,7 +156,7 @@ struct Reader<T>::Impl : dds::DataReaderListener {
           on_wrong(std::move(wrong)),
           on_writer(std::move(writer)) {
         dds::TypeSupport type(new CheckedType<T>());
-        const auto qos = shared_qos<dds::DataReaderQos>(info, type->m_typeSize);
+        const auto qos = participant->qos_of<dds::DataReaderQos>(info, type->m_typeSize);
         auto told = dds::StatusMask::data_available() << dds::StatusMask::requested_incompatible_qos();
         if (on_writer) told << dds::StatusMask::subscription_matched();
         reader = participant->subscriber->create_datareader(participant->topic(info, type), qos, this, told);

@@ -1,5 +1,9 @@
 #include "idl/fast_dds_2_9/ports.hpp"
 
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <charconv>
 #include <random>
 #include <string>
@@ -8,7 +12,18 @@ namespace windlass::wire {
 
 namespace {
 constexpr std::string_view kName = "fastrtps_port";
+
+bool nobody_hears_udp_at(std::uint16_t number) {
+    const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    sockaddr_in port{};
+    port.sin_family = AF_INET;
+    port.sin_addr.s_addr = htonl(INADDR_ANY);
+    port.sin_port = htons(number);
+    const bool free = bind(probe, reinterpret_cast<const sockaddr*>(&port), sizeof port) == 0;
+    close(probe);
+    return free;
 }
+} // namespace
 
 std::filesystem::path port_memory(int port, const std::filesystem::path& folder) {
     return folder / (std::string(kName) + std::to_string(port));
@@ -32,6 +47,13 @@ std::uint16_t fresh_port(const std::filesystem::path& folder) {
     while (on < kSamplePorts && std::filesystem::exists(port_memory(port(on), folder)))
         ++on;
     return static_cast<std::uint16_t>(port(on));
+}
+
+std::uint16_t fresh_udp_port() {
+    constexpr int kTries = 100;
+    for (int tries = 0; tries < kTries; ++tries)
+        if (const std::uint16_t port = fresh_port(); nobody_hears_udp_at(port)) return port;
+    return 0;
 }
 
 } // namespace windlass::wire

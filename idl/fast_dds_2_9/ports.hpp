@@ -1,5 +1,5 @@
 #pragma once
-// Ports at which a secure participant of ours hears samples, in shared memory too.
+// Ports at which participants of ours hear samples, in shared memory too.
 
 #include <cstdint>
 #include <filesystem>
@@ -22,5 +22,8 @@ bool is_sample_port(std::string_view name);
 /// as they live (a listener killed while it takes a sample is never found out; whoever then opens the port
 /// for the first time puts new memory in its place), and the new one never hears them.
 std::uint16_t fresh_port(const std::filesystem::path& folder = "/dev/shm");
+
+/// The same, at which nobody hears UDP either. 0: there is none.
+std::uint16_t fresh_udp_port();
 
 } // namespace windlass::wire
