@@ -23,10 +23,10 @@ Seat seat_of(Rank rank) {
     return rank == Rank::assessor ? Seat::assessor : Seat::observer;
 }
 
-Stations::Stations(gateway::GatewayOptions instructor) : member_{instructor.member} {
-    instructor.joined = member_;
+Stations::Stations(gateway::GatewayOptions instructor) : hearing_{wire::Participant(instructor.member)} {
+    instructor.joined = hearing_;
     others_.member = instructor.member;
-    others_.joined = member_;
+    others_.joined = hearing_;
     others_.exercise.clear();
     others_.log = instructor.log;
     others_.given = instructor.given;

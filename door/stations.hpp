@@ -19,7 +19,7 @@ public:
     explicit Stations(gateway::GatewayOptions instructor);
 
     gateway::Gateway& instructor() { return of(station::Seat::instructor); }
-    const wire::Participant& member() const { return member_; }
+    const gateway::Hearing& hearing() const { return hearing_; }
 
     /// A session of that role in that exercise, under somebody's name. Throws std::runtime_error.
     std::shared_ptr<gateway::PageSession> open(station::Seat seat, const std::string& exercise,
@@ -35,7 +35,7 @@ public:
 private:
     gateway::Gateway& of(station::Seat seat);
 
-    wire::Participant member_;
+    gateway::Hearing hearing_;
     gateway::GatewayOptions others_;
     std::map<station::Seat, gateway::Gateway> gateways_; // each once somebody needs it
 };

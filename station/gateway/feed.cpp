@@ -7,6 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <set>
 
 namespace windlass::gateway {
 
@@ -43,16 +47,46 @@ constexpr std::array kQuestions{wire::topics::forecastle_question.name, wire::to
 
 } // namespace
 
+/// What a program hears of one partition, in one way.
+struct Feed::Partition {
+    Partition(const wire::Participant& member, const std::string& name, Kind its_kind)
+        : participant{member, name}, kind{its_kind} {}
+
+    /// The line of that channel, made where nobody uses it yet. It hears nothing before Line::begin().
+    LineInUse use(const Channel& channel, std::shared_ptr<Partition> self);
+    void leave(Line* line);
+
+    /// The exercise's time, s, as ExerciseStatus tells it: what lies after it has not happened.
+    void follow(double time);
+
+    wire::Participant participant;
+    const Kind kind;
+    std::atomic<double> exercise_time = 0;
+    std::array<std::atomic<bool>, 2> asked{}; // forecastle, bridge
+
+private:
+    std::mutex mutex_; // before that of a line; never held while DDS is called
+    std::map<std::uint32_t, std::unique_ptr<Line>> lines_;
+};
+
 /// One topic: its reader, what is kept of it, and who listens.
 struct Feed::Line {
-    Line(Feed& of, const Channel& channel, Kind kind)
-        : feed{of},
+    Line(Partition& of, const Channel& channel)
+        : partition{of},
           number{channel.number},
           topic{*channel.topic},
           only_newest{newest_only(topic)},
-          has_past{kind != Kind::newest && past_of(topic).frames > 0},
+          has_past{of.kind != Kind::newest && past_of(topic).frames > 0},
           is_status{std::string_view(topic.name) == wire::topics::exercise_status.name},
-          history{topic, kind == Kind::classroom, kind != Kind::newest} {}
+          history{topic, of.kind == Kind::classroom, of.kind != Kind::newest} {}
+
+    /// Hears from now on, if it does not yet.
+    void begin() {
+        std::call_once(begun, [this] {
+            reader.emplace(partition.participant, topic,
+                           [this](const wire::RawSample& sample) { pass_on(sample); });
+        });
+    }
 
     void pass_on(const wire::RawSample& sample) {
         auto frame = std::make_shared<SharedFrame>();
@@ -62,12 +96,12 @@ struct Feed::Line {
         frame->instance = instance_of(topic, sample.payload);
         frame->written_unix_ns = sample.written_unix_ns;
         frame->heard = Clock::now();
-        frame->time = time_of(topic, sample.payload).value_or(feed.exercise_time_.load());
+        frame->time = time_of(topic, sample.payload).value_or(partition.exercise_time.load());
         frame->payload.assign(sample.payload.begin(), sample.payload.end());
-        if (is_status) feed.follow(frame->time);
+        if (is_status) partition.follow(frame->time);
         for (std::size_t seat = 0; seat < kQuestions.size(); ++seat)
             if (std::string_view(topic.name) == kQuestions.at(seat))
-                feed.asked_.at(seat) = asks(frame->payload);
+                partition.asked.at(seat) = asks(frame->payload);
         const std::scoped_lock lock{mutex};
         writer = sample.writer;
         if (topic.exclusive) spoken[frame->instance] = {frame, sample.writer, frame->heard};
@@ -76,49 +110,92 @@ struct Feed::Line {
             ear->hear(frame);
     }
 
-    Feed& feed;
+    Partition& partition;
     const std::uint32_t number;
     const wire::TopicInfo& topic;
     const bool only_newest, has_past, is_status;
+    int users = 0; // by the partition's mutex
     mutable std::mutex mutex;
     History history;
     std::optional<wire::WriterId> writer; // of the newest sample
     std::map<std::string, Spoken> spoken; // by instance, of an exclusive topic
     std::set<Ear*> ears;
+    std::once_flag begun;
     std::optional<wire::RawReader> reader; // last: it stops before what its callback uses goes away
 };
 
-Feed::Feed(wire::Participant participant, Kind kind, const Topics& topics)
-    : participant_{std::move(participant)} {
+Feed::LineInUse Feed::Partition::use(const Channel& channel, std::shared_ptr<Partition> self) {
+    const std::scoped_lock lock{mutex_};
+    auto& line = lines_[channel.number];
+    if (!line) line = std::make_unique<Line>(*this, channel);
+    ++line->users;
+    return {line.get(), Leave{std::move(self)}};
+}
+
+void Feed::Partition::leave(Line* line) {
+    std::unique_ptr<Line>
+        last; // goes when the mutex is free: its reader waits for a callback, which may follow()
+    const std::scoped_lock lock{mutex_};
+    if (--line->users > 0) return;
+    const auto found = lines_.find(line->number);
+    last = std::move(found->second);
+    lines_.erase(found);
+}
+
+void Feed::Partition::follow(double time) {
+    if (time >= exercise_time.exchange(time)) return;
+    const std::scoped_lock lock{mutex_};
+    for (const auto& [number, line] : lines_) {
+        const std::scoped_lock one{line->mutex};
+        line->history.back_to(time);
+    }
+}
+
+void Feed::Leave::operator()(Line* line) const {
+    partition->leave(line);
+}
+
+struct Hearing::Impl {
+    wire::Participant member;
+    std::mutex mutex;
+    std::map<std::pair<std::string, Feed::Kind>, std::weak_ptr<Feed::Partition>> partitions;
+};
+
+Hearing::Hearing(wire::Participant member) : impl_{new Impl{std::move(member), {}, {}}} {}
+
+std::shared_ptr<Feed::Partition> Hearing::partition(const std::string& name, Feed::Kind kind) const {
+    const std::scoped_lock lock{impl_->mutex};
+    std::erase_if(impl_->partitions, [](const auto& each) { return each.second.expired(); });
+    auto& known = impl_->partitions[{name, kind}];
+    auto found = known.lock();
+    if (!found) known = found = std::make_shared<Feed::Partition>(impl_->member, name, kind);
+    return found;
+}
+
+Feed::Feed(const Hearing& hearing, const std::string& partition, Kind kind, const Topics& topics)
+    : partition_{hearing.partition(partition, kind)} {
     for (const wire::TopicInfo* topic : topics)
         channels_.push_back({number_of(kind, *topic), name_of(kind, *topic), topic});
     for (const Channel& channel : channels_)
-        lines_.push_back(std::make_unique<Line>(*this, channel, kind));
+        lines_.push_back(partition_->use(channel, partition_));
     // Only now: a status that is heard is told to all lines.
     for (const auto& line : lines_)
-        line->reader.emplace(participant_, line->topic,
-                             [&line = *line](const wire::RawSample& sample) { line.pass_on(sample); });
+        line->begin();
+}
+
+Feed::~Feed() = default;
+
+wire::Participant& Feed::participant() {
+    return partition_->participant;
 }
 
 bool Feed::withheld(const wire::TopicInfo& topic) const {
     const std::string_view name = topic.name;
-    return (asked_[0] &&
+    const auto& asked = partition_->asked;
+    return (asked[0] &&
             (name == wire::topics::forecastle_view.name || name == wire::topics::forecastle_ghost.name)) ||
-           (asked_[1] && (name == wire::topics::bridge_view.name || name == wire::topics::bridge_ghost.name ||
-                          name == wire::topics::forecastle_camera.name));
-}
-
-void Feed::follow(double time) {
-    if (time < exercise_time_.exchange(time))
-        for (const auto& line : lines_) {
-            const std::scoped_lock lock{line->mutex};
-            line->history.back_to(time);
-        }
-}
-
-Feed::~Feed() {
-    for (const auto& line : lines_) // all, before the first line goes away
-        line->reader.reset();
+           (asked[1] && (name == wire::topics::bridge_view.name || name == wire::topics::bridge_ghost.name ||
+                         name == wire::topics::forecastle_camera.name));
 }
 
 Feed::Line* Feed::line(std::uint32_t channel) const {

@@ -1,14 +1,12 @@
 #pragma once
 // The DDS side of one partition: hears a role's topics unopened, keeps what late pages need, and hands every
-// sample to the pages that want it.
+// sample to the pages that want it. What several roles hear of an exercise is heard once.
 
 #include "idl/raw.hpp"
 #include "station/gateway/roles.hpp"
 #include "station/gateway/source.hpp"
 
-#include <atomic>
-#include <mutex>
-#include <set>
+#include <memory>
 
 namespace windlass::gateway {
 
@@ -29,14 +27,17 @@ struct Channel {
 /// The number that the feed gives a topic; 0: it does not hear it.
 std::uint32_t number_of(const std::vector<Channel>& channels, const wire::TopicInfo& topic);
 
+class Hearing;
+
 class Feed final : public Source {
 public:
     /// newest: an exercise, without the past of what is drawn over time.
     enum class Kind { exercise, newest, classroom };
 
-    /// The participant is already in the partition, and has raw ends of these topics only. Throws
-    /// std::runtime_error when a reader cannot be made: its role may not read the topic.
-    Feed(wire::Participant participant, Kind kind, const Topics& topics);
+    /// Topics that other feeds of that hearing, partition and kind have are heard once, and what is kept of
+    /// them is there from the beginning. Throws std::runtime_error when a reader cannot be made: the member
+    /// may not read the topic.
+    Feed(const Hearing& hearing, const std::string& partition, Kind kind, const Topics& topics);
     ~Feed() override;
     Feed(const Feed&) = delete;
     Feed& operator=(const Feed&) = delete;
@@ -59,23 +60,41 @@ public:
     /// heard.
     std::optional<Spoken> spoken(const wire::TopicInfo& topic, const std::string& instance) const;
 
-    wire::Participant& participant() { return participant_; }
+    /// In the partition, with raw ends only.
+    wire::Participant& participant();
 
 private:
+    friend class Hearing;
     struct Line;
+    struct Partition;
+    struct Leave { ///< the line, which goes with the last who uses it
+        std::shared_ptr<Partition> partition;
+        void operator()(Line* line) const;
+    };
+    using LineInUse = std::unique_ptr<Line, Leave>;
     Line* line(std::uint32_t channel) const;
     Line* line(const wire::TopicInfo& topic) const;
     /// The view of a seat that is asked something at a freeze: what is kept of it is for nobody, lest a page
     /// that is loaded anew read the answer off it.
     bool withheld(const wire::TopicInfo& topic) const;
-    /// The exercise's time, s, as ExerciseStatus tells it: what lies after it has not happened.
-    void follow(double time);
 
-    wire::Participant participant_;
+    std::shared_ptr<Partition> partition_;
     std::vector<Channel> channels_;
-    std::atomic<double> exercise_time_ = 0;
-    std::array<std::atomic<bool>, 2> asked_{}; // forecastle, bridge
-    std::vector<std::unique_ptr<Line>> lines_; // as channels_
+    std::vector<LineInUse> lines_; // as channels_
+};
+
+/// A member of the domain, as all feeds of a program have it. Copies are the same hearing. From any thread.
+class Hearing {
+public:
+    /// It has raw ends of the topics only.
+    explicit Hearing(wire::Participant member);
+
+private:
+    friend class Feed;
+    std::shared_ptr<Feed::Partition> partition(const std::string& name, Feed::Kind kind) const;
+
+    struct Impl;
+    std::shared_ptr<Impl> impl_;
 };
 
 } // namespace windlass::gateway
