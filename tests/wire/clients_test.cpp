@@ -129,7 +129,7 @@ TEST(LeverSender, OfAnInstructorSendsOnTheInstructorsTopic) {
     EXPECT_TRUE(eventually([&] { return ear.instructor_heard() > 0; }));
     EXPECT_TRUE(ear.heard().empty());
     EXPECT_TRUE(eventually([&] {
-        const auto& in_force = client.picture().tackle[SIDE_PORT].levers_in_force();
+        const auto in_force = client.picture().tackle[SIDE_PORT].levers_in_force();
         return in_force && in_force->origin().source() == "instructor";
     }));
 }
