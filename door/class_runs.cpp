@@ -65,8 +65,8 @@ std::optional<ClassroomExercise> ClassRuns::told(const std::string& exercise) co
     return found == found_.end() ? std::nullopt : std::optional(found->second.exercise);
 }
 
-ClassRuns::Desk::Desk(const gateway::Hearing& hearing, const std::string& exercise)
-    : feed{hearing,
+ClassRuns::Desk::Desk(const gateway::SharedReaders& readers, const std::string& exercise)
+    : feed{readers,
            wire::exercise_partition(exercise),
            gateway::Feed::Kind::exercise,
            {&wire::topics::exercise_status, &wire::topics::assessment}},
@@ -130,7 +130,7 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
                 continue;
             }
             if (asked_.erase(exercise) > 0) hindered_.erase(exercise); // it is made
-            if (!desks_.contains(exercise)) desks_[exercise] = std::make_unique<Desk>(hearing_, exercise);
+            if (!desks_.contains(exercise)) desks_[exercise] = std::make_unique<Desk>(readers_, exercise);
             if (each.from && is_ready(found_.at(exercise).exercise))
                 go_on(*each.from, exercise, now);
             else

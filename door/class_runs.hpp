@@ -13,8 +13,8 @@ namespace windlass::door {
 /// thread.
 class ClassRuns {
 public:
-    ClassRuns(gateway::Gateway& instructor, gateway::Hearing hearing)
-        : instructor_{instructor}, hearing_{std::move(hearing)} {}
+    ClassRuns(gateway::Gateway& instructor, gateway::SharedReaders readers)
+        : instructor_{instructor}, readers_{std::move(readers)} {}
 
     /// An instructor's order to all exercises of a class, by somebody's name: a command of the exercise, a
     /// fault, words of the bridge; as encode_order() takes it. Throws Denied where it cannot be such a
@@ -44,7 +44,7 @@ public:
 private:
     /// The way to one exercise.
     struct Desk {
-        Desk(const gateway::Hearing& hearing, const std::string& exercise);
+        Desk(const gateway::SharedReaders& readers, const std::string& exercise);
         gateway::Feed feed;
         gateway::OrderWriters orders;
     };
@@ -76,7 +76,7 @@ private:
     void hinder(const std::string& exercise, const std::string& why);
 
     gateway::Gateway& instructor_;
-    const gateway::Hearing hearing_;
+    const gateway::SharedReaders readers_;
     std::vector<ClassroomStatus> servers_;
     std::map<std::string, Found> found_;                         // by exercise
     std::map<std::string, std::unique_ptr<Desk>> desks_;         // by exercise, of classes

@@ -68,7 +68,7 @@ DoorHost::DoorHost(DoorOptions options, const gateway::Assets& assets, Stations&
       people_{options_.state / "people.json"},
       kiosks_{options_.state / "kiosks.json"},
       book_{kept_classes(options_.state / "classes.json")},
-      runs_{stations.instructor(), stations.hearing()},
+      runs_{stations.instructor(), stations.readers()},
       wrong_codes_{20, 3s},
       wrong_passwords_{10, 6s},
       setup_token_{people_.empty() ? make_secret() : std::string()},

@@ -23,10 +23,10 @@ Seat seat_of(Rank rank) {
     return rank == Rank::assessor ? Seat::assessor : Seat::observer;
 }
 
-Stations::Stations(gateway::GatewayOptions instructor) : hearing_{wire::Participant(instructor.member)} {
-    instructor.joined = hearing_;
+Stations::Stations(gateway::GatewayOptions instructor) : readers_{wire::Participant(instructor.member)} {
+    instructor.readers = readers_;
     others_.member = instructor.member;
-    others_.joined = hearing_;
+    others_.readers = readers_;
     others_.exercise.clear();
     others_.log = instructor.log;
     others_.given = instructor.given;

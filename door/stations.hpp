@@ -19,7 +19,7 @@ public:
     explicit Stations(gateway::GatewayOptions instructor);
 
     gateway::Gateway& instructor() { return of(station::Seat::instructor); }
-    const gateway::Hearing& hearing() const { return hearing_; }
+    const gateway::SharedReaders& readers() const { return readers_; }
 
     /// A session of that role in that exercise, under somebody's name. Throws std::runtime_error.
     std::shared_ptr<gateway::PageSession> open(station::Seat seat, const std::string& exercise,
@@ -35,7 +35,7 @@ public:
 private:
     gateway::Gateway& of(station::Seat seat);
 
-    gateway::Hearing hearing_;
+    gateway::SharedReaders readers_;
     gateway::GatewayOptions others_;
     std::map<station::Seat, gateway::Gateway> gateways_; // each once somebody needs it
 };

@@ -39,7 +39,7 @@ json alert_to_tell(const std::vector<FramePtr>& frames) {
             {"waiting", waiting.size()}};
 }
 
-void AlertWatch::follow(const Hearing& hearing, const std::vector<std::string>& exercises) {
+void AlertWatch::follow(const SharedReaders& readers, const std::vector<std::string>& exercises) {
     std::erase_if(feeds_, [&](const auto& each) {
         return std::ranges::find(exercises, each.first) == exercises.end();
     });
@@ -47,7 +47,7 @@ void AlertWatch::follow(const Hearing& hearing, const std::vector<std::string>& 
         if (feeds_.contains(exercise)) continue;
         try {
             feeds_[exercise] =
-                std::make_unique<Feed>(hearing, wire::exercise_partition(exercise), Feed::Kind::exercise,
+                std::make_unique<Feed>(readers, wire::exercise_partition(exercise), Feed::Kind::exercise,
                                        Topics{&wire::topics::alert, &wire::topics::server_alert});
         } catch (const std::exception&) {
             feeds_.erase(exercise); // tried again with the next news

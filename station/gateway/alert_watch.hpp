@@ -17,7 +17,7 @@ class AlertWatch {
 public:
     /// Hears alerts of these exercises and of no others from now on. An exercise that cannot be joined is
     /// left out.
-    void follow(const Hearing& hearing, const std::vector<std::string>& exercises);
+    void follow(const SharedReaders& readers, const std::vector<std::string>& exercises);
 
     /// alert_to_tell() by exercise; exercises of which none waits are left out.
     nlohmann::json told() const;

@@ -30,13 +30,13 @@ json samples_since(const std::vector<FramePtr>& kept, const wire::TopicInfo& top
     return samples;
 }
 
-json CameraWatch::look(const Hearing& hearing, const std::string& exercise, Clock::time_point since,
+json CameraWatch::look(const SharedReaders& readers, const std::string& exercise, Clock::time_point since,
                        Clock::time_point now) {
     Looked& looked = looked_[exercise];
     looked.at = now;
     if (!looked.feed) {
         try {
-            looked.feed = std::make_unique<Feed>(hearing, wire::exercise_partition(exercise),
+            looked.feed = std::make_unique<Feed>(readers, wire::exercise_partition(exercise),
                                                  Feed::Kind::newest, camera_topics());
         } catch (...) {
             looked_.erase(exercise);

@@ -20,7 +20,7 @@ public:
     /// Samples of camera_topics() of an exercise that were heard later than since. An exercise is heard from
     /// the first look on, so that this one has nothing yet, and no longer than half a minute after the last.
     /// Throws std::runtime_error when it cannot be joined.
-    nlohmann::json look(const Hearing& hearing, const std::string& exercise, Clock::time_point since,
+    nlohmann::json look(const SharedReaders& readers, const std::string& exercise, Clock::time_point since,
                         Clock::time_point now);
 
     /// Leaves what nobody looks at any more.

@@ -95,12 +95,12 @@ void OrderWriters::write(const wire::TopicInfo& topic, const nlohmann::json& sam
     writer->second.write(sample, by);
 }
 
-ExerciseDesk::ExerciseDesk(const Hearing& hearing, const std::string& exercise, station::Seat seat,
+ExerciseDesk::ExerciseDesk(const SharedReaders& readers, const std::string& exercise, station::Seat seat,
                            const std::string& name, LeverDesk::Changed levers_changed)
     : exercise_{exercise},
       role_{role_of(seat, exercise)},
       takes_over_{seat == station::Seat::instructor},
-      feed_{hearing, wire::exercise_partition(exercise), Feed::Kind::exercise, role_.hears},
+      feed_{readers, wire::exercise_partition(exercise), Feed::Kind::exercise, role_.hears},
       writers_{feed_.participant(), orders_of(role_), name},
       levers_{[this](Hand hand, const nlohmann::json& sample, std::uint64_t moved_in_run) {
                   const auto name = names_.find(levers_.holder(hand));

@@ -61,7 +61,7 @@ private:
 class ExerciseDesk {
 public:
     /// exercise: NAME without "exercise/". levers_changed: as LeverDesk::Changed. Throws std::runtime_error.
-    ExerciseDesk(const Hearing& hearing, const std::string& exercise, station::Seat seat,
+    ExerciseDesk(const SharedReaders& readers, const std::string& exercise, station::Seat seat,
                  const std::string& name, LeverDesk::Changed levers_changed);
 
     const std::string& exercise() const { return exercise_; }

@@ -48,12 +48,12 @@ constexpr std::array kQuestions{wire::topics::forecastle_question.name, wire::to
 } // namespace
 
 /// What a program hears of one partition, in one way.
-struct Feed::Partition {
+struct Feed::Partition : std::enable_shared_from_this<Partition> {
     Partition(const wire::Participant& member, const std::string& name, Kind its_kind)
         : participant{member, name}, kind{its_kind} {}
 
     /// The line of that channel, made where nobody uses it yet. It hears nothing before Line::begin().
-    LineInUse use(const Channel& channel, std::shared_ptr<Partition> self);
+    LineInUse use(const Channel& channel);
     void leave(Line* line);
 
     /// The exercise's time, s, as ExerciseStatus tells it: what lies after it has not happened.
@@ -124,12 +124,12 @@ struct Feed::Line {
     std::optional<wire::RawReader> reader; // last: it stops before what its callback uses goes away
 };
 
-Feed::LineInUse Feed::Partition::use(const Channel& channel, std::shared_ptr<Partition> self) {
+Feed::LineInUse Feed::Partition::use(const Channel& channel) {
     const std::scoped_lock lock{mutex_};
     auto& line = lines_[channel.number];
     if (!line) line = std::make_unique<Line>(*this, channel);
     ++line->users;
-    return {line.get(), Leave{std::move(self)}};
+    return {line.get(), Leave{shared_from_this()}};
 }
 
 void Feed::Partition::leave(Line* line) {
@@ -155,15 +155,15 @@ void Feed::Leave::operator()(Line* line) const {
     partition->leave(line);
 }
 
-struct Hearing::Impl {
+struct SharedReaders::Impl {
     wire::Participant member;
     std::mutex mutex;
     std::map<std::pair<std::string, Feed::Kind>, std::weak_ptr<Feed::Partition>> partitions;
 };
 
-Hearing::Hearing(wire::Participant member) : impl_{new Impl{std::move(member), {}, {}}} {}
+SharedReaders::SharedReaders(wire::Participant member) : impl_{new Impl{std::move(member), {}, {}}} {}
 
-std::shared_ptr<Feed::Partition> Hearing::partition(const std::string& name, Feed::Kind kind) const {
+std::shared_ptr<Feed::Partition> SharedReaders::partition(const std::string& name, Feed::Kind kind) const {
     const std::scoped_lock lock{impl_->mutex};
     std::erase_if(impl_->partitions, [](const auto& each) { return each.second.expired(); });
     auto& known = impl_->partitions[{name, kind}];
@@ -172,12 +172,12 @@ std::shared_ptr<Feed::Partition> Hearing::partition(const std::string& name, Fee
     return found;
 }
 
-Feed::Feed(const Hearing& hearing, const std::string& partition, Kind kind, const Topics& topics)
-    : partition_{hearing.partition(partition, kind)} {
+Feed::Feed(const SharedReaders& readers, const std::string& partition, Kind kind, const Topics& topics)
+    : partition_{readers.partition(partition, kind)} {
     for (const wire::TopicInfo* topic : topics)
         channels_.push_back({number_of(kind, *topic), name_of(kind, *topic), topic});
     for (const Channel& channel : channels_)
-        lines_.push_back(partition_->use(channel, partition_));
+        lines_.push_back(partition_->use(channel));
     // Only now: a status that is heard is told to all lines.
     for (const auto& line : lines_)
         line->begin();

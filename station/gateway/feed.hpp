@@ -27,17 +27,17 @@ struct Channel {
 /// The number that the feed gives a topic; 0: it does not hear it.
 std::uint32_t number_of(const std::vector<Channel>& channels, const wire::TopicInfo& topic);
 
-class Hearing;
+class SharedReaders;
 
 class Feed final : public Source {
 public:
     /// newest: an exercise, without the past of what is drawn over time.
     enum class Kind { exercise, newest, classroom };
 
-    /// Topics that other feeds of that hearing, partition and kind have are heard once, and what is kept of
-    /// them is there from the beginning. Throws std::runtime_error when a reader cannot be made: the member
-    /// may not read the topic.
-    Feed(const Hearing& hearing, const std::string& partition, Kind kind, const Topics& topics);
+    /// A topic that another feed of these readers has in that partition and kind is heard once, and what is
+    /// kept of it is there from the beginning. Throws std::runtime_error when a reader cannot be made: the
+    /// member may not read the topic.
+    Feed(const SharedReaders& readers, const std::string& partition, Kind kind, const Topics& topics);
     ~Feed() override;
     Feed(const Feed&) = delete;
     Feed& operator=(const Feed&) = delete;
@@ -64,7 +64,7 @@ public:
     wire::Participant& participant();
 
 private:
-    friend class Hearing;
+    friend class SharedReaders;
     struct Line;
     struct Partition;
     struct Leave { ///< the line, which goes with the last who uses it
@@ -83,11 +83,12 @@ private:
     std::vector<LineInUse> lines_; // as channels_
 };
 
-/// A member of the domain, as all feeds of a program have it. Copies are the same hearing. From any thread.
-class Hearing {
+/// What all feeds of a program stand on: its member of the domain, and the readers that they share. Copies
+/// are the same readers. From any thread.
+class SharedReaders {
 public:
     /// It has raw ends of the topics only.
-    explicit Hearing(wire::Participant member);
+    explicit SharedReaders(wire::Participant member);
 
 private:
     friend class Feed;

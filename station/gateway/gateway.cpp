@@ -62,10 +62,10 @@ private:
 
 Gateway::Gateway(GatewayOptions options)
     : options_{std::move(options)},
-      hearing_{options_.joined ? *options_.joined : Hearing(wire::Participant(options_.member))},
+      readers_{options_.readers ? *options_.readers : SharedReaders(wire::Participant(options_.member))},
       log_{options_.log} {
     const Role role = role_of(options_.seat, options_.exercise);
-    classroom_ = std::make_unique<Feed>(hearing_, wire::kClassroomPartition, Feed::Kind::classroom,
+    classroom_ = std::make_unique<Feed>(readers_, wire::kClassroomPartition, Feed::Kind::classroom,
                                         role.classroom_hears);
     classroom_orders_ = std::make_unique<OrderWriters>(classroom_->participant(), role.classroom_writes,
                                                        options_.member.name);
@@ -80,7 +80,7 @@ std::shared_ptr<ExerciseDesk> Gateway::desk(const std::string& exercise) {
     if (!wanted.desk) {
         try {
             wanted.desk = std::make_shared<ExerciseDesk>(
-                hearing_, exercise, options_.seat, options_.member.name,
+                readers_, exercise, options_.seat, options_.member.name,
                 [this, exercise](Hand hand, LeverDesk::Page holder, const std::string& taken_by) {
                     levers_changed(exercise, hand, holder, taken_by);
                 });
@@ -128,7 +128,7 @@ json Gateway::look_at_forecastle(const std::string& exercise, std::int64_t since
         throw Refused("", "exercise", exercise, "an exercise that a server here has");
     const auto now = Clock::now();
     try {
-        json samples = cameras_.look(hearing_, exercise, Clock::time_point{microseconds{since}}, now);
+        json samples = cameras_.look(readers_, exercise, Clock::time_point{microseconds{since}}, now);
         const auto at = std::chrono::duration_cast<microseconds>(now.time_since_epoch()).count();
         return {{"at", at}, {"samples", std::move(samples)}};
     } catch (const std::runtime_error& error) {
@@ -211,7 +211,7 @@ void Gateway::tell_news() {
 
 void Gateway::tell_alerts() {
     const bool watched = std::ranges::any_of(pages_, &PageSession::watches_classroom);
-    alerts_.follow(hearing_, watched ? live() : std::vector<std::string>());
+    alerts_.follow(readers_, watched ? live() : std::vector<std::string>());
     if (!watched) return;
     const json told{{"op", "classroom_alerts"}, {"exercises", alerts_.told()}};
     for (PageSession* page : pages_)

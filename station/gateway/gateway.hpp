@@ -17,8 +17,8 @@ namespace windlass::gateway {
 class PageSession;
 
 struct GatewayOptions {
-    wire::JoinOptions member;           ///< its name is the one under which orders go out
-    std::optional<Hearing> joined = {}; ///< of that member, where the program has joined already
+    wire::JoinOptions member;                  ///< its name is the one under which orders go out
+    std::optional<SharedReaders> readers = {}; ///< of that member, where the program has joined already
     station::Seat seat = station::Seat::trainee;
     std::string exercise = "default"; ///< that the program joined, without "exercise/"; empty: none yet
     std::function<void(const std::string&)> log; ///< a line for whoever runs the program; from any thread
@@ -166,7 +166,7 @@ private:
     void tell_alerts();
 
     GatewayOptions options_;
-    Hearing hearing_;
+    SharedReaders readers_;
     std::unique_ptr<Feed> classroom_;
     std::unique_ptr<OrderWriters> classroom_orders_;
     AlertWatch alerts_; // while a page watches the classroom
