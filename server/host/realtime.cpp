@@ -1,5 +1,6 @@
 #include "server/host/realtime.hpp"
 
+#include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
 
@@ -17,9 +18,21 @@ std::string reason() {
     return std::error_code(errno, std::generic_category()).message();
 }
 
+/// Of threads that begin from now on. Where memory is locked all of a stack is there at once, which is 8 MB
+/// as a rule, and Fast DDS begins a thread for each port.
+void keep_stacks_small() {
+    constexpr std::size_t kStack = 2 * 1024 * 1024; // bytes
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, kStack);
+    pthread_setattr_default_np(&attributes);
+    pthread_attr_destroy(&attributes);
+}
+
 } // namespace
 
 std::vector<std::string> enter_realtime() {
+    keep_stacks_small();
     std::vector<std::string> refused;
     if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) {
         refused.push_back("memory cannot be locked (" + reason() +
