@@ -45,14 +45,19 @@ struct Options {
     double seconds = 30; // of each row
     int pages = 5;       // of each exercise: forecastle, bridge, and the others look on
     std::string lesson = "L01_let_go_25m";
-    std::string exercises = WINDLASS_CONFIG_DIR "/exercises";
     int domain = 97;
     int threads = 1; // of the server
     int workers = 0;
     bool realtime = false;
     bool unrecorded = false;
+    std::filesystem::path security; // folder of identities; empty: DDS open to all
     std::vector<int> classes{4, 12, 48};
 };
+
+void add_identity(const Options& options, const char* role, std::vector<std::string>& arguments) {
+    if (!options.security.empty())
+        arguments.insert(arguments.end(), {"--security", (options.security / role).string()});
+}
 
 /// A folder that goes away with it.
 struct Folder {
@@ -103,23 +108,25 @@ private:
         // Where no folder can be made nothing is recorded.
         const std::string recordings =
             options.unrecorded ? "/dev/null/none" : (folder.path / "recordings").string();
-        return {WINDLASS_DOOR,
-                "--port",
-                "0",
-                "--loopback-port",
-                "0",
-                "--state",
-                folder.path / "door",
-                "--recordings",
-                recordings,
-                "--exercises",
-                options.exercises,
-                "--partition",
-                "none",
-                "--domain",
-                std::to_string(options.domain),
-                "--sessions",
-                "10000"};
+        std::vector<std::string> command{WINDLASS_DOOR,
+                                         "--port",
+                                         "0",
+                                         "--loopback-port",
+                                         "0",
+                                         "--state",
+                                         folder.path / "door",
+                                         "--recordings",
+                                         recordings,
+                                         "--exercises",
+                                         WINDLASS_CONFIG_DIR "/exercises",
+                                         "--partition",
+                                         "none",
+                                         "--domain",
+                                         std::to_string(options.domain),
+                                         "--sessions",
+                                         "10000"};
+        add_identity(options, "door", command);
+        return command;
     }
     Answer ask(http::verb verb, const std::string& secret, const std::string& target,
                const std::string& body) const {
@@ -348,6 +355,7 @@ std::vector<std::string> arguments_of(const Options& options) {
     if (options.realtime) arguments.emplace_back("--realtime");
     if (options.workers > 0)
         arguments.insert(arguments.end(), {"--workers", std::to_string(options.workers)});
+    add_identity(options, "server", arguments);
     return arguments;
 }
 
@@ -452,6 +460,10 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_flag("--realtime", options.realtime, "the server under SCHED_FIFO, which needs the right to");
     app.add_flag("--unrecorded", options.unrecorded, "no exercise is recorded: a class always is");
+    app.add_option("--security", options.security,
+                   "DDS Security, with the identities that make_identities has put into that folder")
+        ->type_name("FOLDER")
+        ->check(CLI::ExistingDirectory);
     app.add_option("--domain", options.domain, "DDS domain, to itself")
         ->check(CLI::Range(0, 232))
         ->capture_default_str();
