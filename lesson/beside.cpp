@@ -20,8 +20,9 @@ std::vector<trainee::Script> scripts_of(const run::Course& course, const std::fi
 
 class Beside final : public run::ModelHands {
 public:
-    Beside(const std::vector<std::uint8_t>& beginning, const std::filesystem::path& config)
-        : course_(run::course_of(beginning)), hands_(course_, scripts_of(course_, config)) {}
+    Beside(const run::Beginning& beginning, const std::filesystem::path& config)
+        : course_(run::beginning_of(beginning.def, beginning.seed)),
+          hands_(course_, scripts_of(course_, config)) {}
 
     std::uint64_t tick() const override { return course_.exercise().tick(); }
     void take(const exercise::Order& order) override {
@@ -45,7 +46,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<run::ModelHands> model_beside(const std::vector<std::uint8_t>& beginning,
+std::unique_ptr<run::ModelHands> model_beside(const run::Beginning& beginning,
                                               const std::filesystem::path& config) {
     return std::make_unique<Beside>(beginning, config);
 }

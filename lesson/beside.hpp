@@ -7,10 +7,10 @@
 
 namespace windlass::lesson {
 
-/// The model run of the lesson in that state, with what the attempt drew. config: folder with its scripts.
+/// The model run of that exercise's lesson, with what the attempt drew. config: folder with its scripts.
 /// Throws std::runtime_error when there is no model run, or when a script of it is not there or looks at more
-/// than a seat sees; exercise::CheckpointError.
-std::unique_ptr<run::ModelHands> model_beside(const std::vector<std::uint8_t>& beginning,
+/// than a seat sees, or the exercise cannot be set up.
+std::unique_ptr<run::ModelHands> model_beside(const run::Beginning& beginning,
                                               const std::filesystem::path& config);
 
 } // namespace windlass::lesson

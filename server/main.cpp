@@ -95,7 +95,7 @@ run::SessionOptions session_options(const Options& options) {
         .prepare = [](const exercise::ExerciseDef& def) { return host::read_aside([def] { return def; }); },
         .check = config::check_definition,
         .model_hands =
-            [options](const std::vector<std::uint8_t>& beginning) {
+            [options](const run::Beginning& beginning) {
                 return lesson::model_beside(beginning, config_root(options));
             },
         // Servers that were not started in the same millisecond never come to the same number.

@@ -7,6 +7,8 @@ namespace windlass::assess {
 
 namespace {
 
+constexpr int kSeedBits = 52; // a double of 0..1 has each of these seeds
+
 enum class Drawn { delay, severity, kind };
 
 /// 0..1, of one thing that is drawn. SplitMix64 (Steele, Lea, Flood 2014): neighbouring seeds have nothing in
@@ -41,7 +43,11 @@ void draw(const Lesson& lesson, State& state, const exercise::ChanceDrawn& drawn
     const bool any = std::ranges::any_of(lesson.faults, [](const LessonFault& fault) {
         return fault.delay[1] > 0 || fault.severity || !fault.one_of.empty();
     });
-    if (any && state.seed == 0) state.seed = 1 + std::llround(std::ldexp(drawn.chance, 52));
+    if (any && state.seed == 0) state.seed = 1 + std::llround(std::ldexp(drawn.chance, kSeedBits));
+}
+
+exercise::ChanceDrawn drawn_for(std::int64_t seed) {
+    return {.chance = seed == 0 ? 0 : std::ldexp(static_cast<double>(seed - 1), -kSeedBits)};
 }
 
 bool comes(const Lesson& lesson, State& state, std::size_t fault, const exercise::Snapshot& seen,

@@ -9,6 +9,9 @@ namespace windlass::assess {
 /// Takes the seed of this attempt, if its lesson leaves anything to chance and has none yet.
 void draw(const Lesson& lesson, State& state, const exercise::ChanceDrawn& drawn);
 
+/// What was drawn for an attempt whose state has that seed: drawn for a fresh one, it gives the same seed.
+exercise::ChanceDrawn drawn_for(std::int64_t seed);
+
 /// Whether a fault that has not come comes at this tick. To be asked at every tick.
 bool comes(const Lesson& lesson, State& state, std::size_t fault, const exercise::Snapshot& seen,
            int tick_rate);

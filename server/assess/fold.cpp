@@ -24,6 +24,12 @@ std::int64_t ticks(double seconds, int tick_rate) {
     return std::llround(seconds * tick_rate);
 }
 
+/// What else than its hands makes an attempt another one.
+bool is_intervention(const exercise::Order& order) {
+    return std::holds_alternative<exercise::FaultOrder>(order) ||
+           std::holds_alternative<exercise::EnvironmentOrder>(order);
+}
+
 void note(Came& came, std::int64_t tick) {
     if (came.first < 0) came.first = tick;
     came.last = tick;
@@ -356,8 +362,10 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
     if (state.ending != Ending::none) return;
     give_hints(lesson, state, look);
     if (!speak(lesson, state, seen, tick_rate, due)) return end(lesson, state, tick_rate, Ending::time);
+    const auto spoken = static_cast<std::ptrdiff_t>(due.size());
     bring_faults(lesson, state, seen, tick_rate, due);
     change_weather(lesson, state, seen, tick_rate, due);
+    state.own_due = static_cast<int>(std::ranges::count_if(due.begin() + spoken, due.end(), is_intervention));
 }
 
 void hear(const Lesson& lesson, State& state, const exercise::Order& order, int tick_rate) {
@@ -366,6 +374,13 @@ void hear(const Lesson& lesson, State& state, const exercise::Order& order, int 
             state.heard.push_back({state.tick, report->code, report->side, report->value, report->lead,
                                    report->stay, report->growing, report->weight, report->order_number,
                                    report->order_code});
+        return;
+    }
+    if (is_intervention(order)) {
+        if (state.own_due > 0)
+            --state.own_due;
+        else
+            state.intervened = true;
         return;
     }
     if (const auto* answer = std::get_if<exercise::AnswerGiven>(&order)) {

@@ -47,8 +47,7 @@ bool Companion::look_for_hint(run::Session& session, Time now) {
 }
 
 bool Companion::look_at_hands(const run::Session& session, const Show& show) {
-    const run::Beginning* beginning = session.beginning();
-    if (beginning == nullptr || !session.wants_ghost()) {
+    if (!session.wants_ghost()) {
         const bool ends = attempt_ != 0;
         attempt_ = 0;
         made_ = false;
@@ -56,13 +55,13 @@ bool Companion::look_at_hands(const run::Session& session, const Show& show) {
     }
     if (attempt_ != session.setups()) {
         attempt_ = session.setups();
-        beginning_ = beginning->state;
+        beginning_ = session.beginning();
         orders_.clear();
         others_given_ = 0;
         made_ = false;
     }
-    for (; others_given_ < beginning->others.size(); ++others_given_)
-        orders_.push_back(beginning->others[others_given_]);
+    for (; others_given_ < session.others().size(); ++others_given_)
+        orders_.push_back(session.others()[others_given_]);
     until_ = session.now_tick();
     trainee_ = session.assessor().state(); // its lists keep their memory
     faults_ = session.snapshot().faults;
@@ -133,7 +132,7 @@ bool Companion::search() {
 
 /// False: no hands are wanted.
 bool Companion::takes_what_is_new() {
-    std::vector<std::uint8_t> beginning;
+    std::optional<run::Beginning> beginning;
     {
         const std::lock_guard lock(mutex_);
         if (attempt_ != playing_) {
@@ -141,7 +140,7 @@ bool Companion::takes_what_is_new() {
             hands_.reset();
             ahead_ = false;
             orders_now_.clear();
-            beginning = std::exchange(beginning_, {});
+            beginning = std::exchange(beginning_, std::nullopt);
         }
         if (playing_ == 0) return false;
         until_now_ = until_;
@@ -150,9 +149,9 @@ bool Companion::takes_what_is_new() {
         orders_now_.insert(orders_now_.end(), orders_.begin(), orders_.end());
         orders_.clear();
     }
-    if (beginning.empty()) return hands_ != nullptr;
+    if (!beginning) return hands_ != nullptr;
     try {
-        hands_ = from_(beginning);
+        hands_ = from_(*beginning);
         maker_.emplace(hands_->def());
     } catch (const std::exception& error) {
         spdlog::warn("the model's hands cannot be shown: {}", error.what());

@@ -64,7 +64,7 @@ private:
     // Between them
     std::mutex mutex_;     // of what follows; the thread that ticks only tries it
     unsigned attempt_ = 0; // whose hands are wanted: Session::setups(); 0: none are
-    std::vector<std::uint8_t> beginning_;
+    std::optional<run::Beginning> beginning_;
     std::vector<run::OrderView> orders_; // that the hands have not taken yet
     std::uint64_t until_ = 0;            // tick of the trainee's exercise
     assess::State trainee_;

@@ -1,5 +1,6 @@
 #include "server/run/course.hpp"
 
+#include "server/assess/chance.hpp"
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/state_hash.hpp"
 
@@ -28,6 +29,16 @@ std::uint64_t Course::state_hash() const {
 
 std::vector<std::uint8_t> Course::checkpoint() const {
     return exercise::write_checkpoint(exercise_, &assessor_);
+}
+
+Course beginning_of(const exercise::ExerciseDef& def, std::int64_t seed) {
+    exercise::Exercise exercise(def);
+    assess::Assessor assessor(def);
+    exercise::Snapshot seen;
+    exercise.view(seen);
+    assessor.begin(seen);
+    assessor.hear(assess::drawn_for(seed));
+    return {std::move(exercise), std::move(assessor), 0};
 }
 
 Course course_of(const std::vector<std::uint8_t>& checkpoint) {

@@ -42,6 +42,10 @@ private:
     std::vector<exercise::Order> ordered_; // by the lesson, in the last step
 };
 
+/// An attempt as it begins. seed: of its lesson's chances (assess::State::seed). Throws std::runtime_error
+/// when the exercise cannot be set up.
+Course beginning_of(const exercise::ExerciseDef& def, std::int64_t seed);
+
 /// From a checkpoint of this program's own, which was checked as it came in. Throws
 /// exercise::CheckpointError.
 Course course_of(const std::vector<std::uint8_t>& checkpoint);

@@ -29,15 +29,15 @@ public:
     virtual const exercise::ExerciseDef& def() const = 0;
 };
 
-/// From the state in which an attempt began, with the chance that it drew. Throws std::exception when the
-/// lesson's scripts are not to be had.
-using ModelHandsFrom = std::function<std::unique_ptr<ModelHands>(const std::vector<std::uint8_t>& beginning)>;
-
-/// How an attempt began, and what went into it since that neither its hands nor its lesson did.
+/// How an attempt began.
 struct Beginning {
-    std::vector<std::uint8_t> state; ///< as a checkpoint's bytes
-    std::vector<OrderView> others;   ///< by tick
+    exercise::ExerciseDef def;
+    std::int64_t seed = 0; ///< of its lesson's chances (assess::State)
 };
+
+/// From the beginning of an attempt. Throws std::exception when the exercise cannot be set up, or the
+/// lesson's scripts are not to be had.
+using ModelHandsFrom = std::function<std::unique_ptr<ModelHands>(const Beginning& beginning)>;
 
 /// Whether the lesson of those hands has come to something to which the trainee's has not: an order, a fault,
 /// a change of the weather. What they do then would tell it before its time.

@@ -133,7 +133,7 @@ void Session::set_up() {
     status_.state = RunState::ready;
     checkpoints_.clear();
     take_checkpoint();
-    keep_the_beginning();
+    look_for_the_beginning();
     alerts_.rectify(kStopped, -1, tick_, time_);
     log("exercise.ready", fmt::format("{}: {}", def().name, def().title));
     brief();

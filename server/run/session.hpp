@@ -131,8 +131,11 @@ public:
     std::vector<std::uint8_t> state() const;
     /// It stands for a question: the answer makes it go on, or an instructor's start.
     bool held() const { return held_; }
-    /// How the attempt began; nothing: nobody can be shown the model's hands.
-    const Beginning* beginning() const { return beginning_ ? &*beginning_ : nullptr; }
+    /// How the attempt began, for the model's hands.
+    Beginning beginning() const { return {.def = def(), .seed = assessor_.state().seed}; }
+    /// What went into it since then that neither its hands nor its lesson did, by tick. To be asked for while
+    /// a seat wants_ghost().
+    const std::vector<OrderView>& others() const { return others_.value(); }
     const ModelHandsFrom& model_hands() const { return options_.model_hands; }
     /// A seat has asked for them, and may have them.
     bool wants_ghost() const;
@@ -176,7 +179,7 @@ private:
     Kept read_state(const std::vector<std::uint8_t>& checkpoint);
     void go_on_from(Kept kept);
     void begin_after_loss();
-    void keep_the_beginning();
+    void look_for_the_beginning();
     void keep_for_the_model(const exercise::Order& command, const std::string& source);
     void forget_for_the_model();
     bool practises() const;
@@ -240,16 +243,16 @@ private:
         int question = -1;
         std::uint64_t run = 0;
     };
-    std::array<Asked, 2> asked_{};        // forecastle, bridge
-    bool held_ = false;                   // paused for a question, and for nothing else
-    bool predicts_ = false;               // an instructor wants it, whatever is run
-    std::array<bool, 2> instructed_{};    // forecastle, bridge: something was told to it alone
-    std::array<unsigned, 2> aids_told_{}; // forecastle, bridge: AidsOffered, as last told
-    std::optional<Beginning> beginning_;  // of an attempt for practice
-    bool lesson_over_told_ = false;       // to the seats, of this run
-    std::uint64_t orders_taken_ = 0;      // of this run
-    bool outside_watch_circle_ = false;   // an alert says so
-    bool model_in_doubt_ = false;         // an alert says so
+    std::array<Asked, 2> asked_{};                 // forecastle, bridge
+    bool held_ = false;                            // paused for a question, and for nothing else
+    bool predicts_ = false;                        // an instructor wants it, whatever is run
+    std::array<bool, 2> instructed_{};             // forecastle, bridge: something was told to it alone
+    std::array<unsigned, 2> aids_told_{};          // forecastle, bridge: AidsOffered, as last told
+    std::optional<std::vector<OrderView>> others_; // of an attempt for practice whose beginning is known
+    bool lesson_over_told_ = false;                // to the seats, of this run
+    std::uint64_t orders_taken_ = 0;               // of this run
+    bool outside_watch_circle_ = false;            // an alert says so
+    bool model_in_doubt_ = false;                  // an alert says so
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
     double now_ = 0;         // wall time of the orders being carried out

@@ -37,21 +37,22 @@ bool stays(const exercise::Order& order, const std::string& source) {
 
 } // namespace
 
-/// As an attempt begins. What is gone on from elsewhere has none: nobody here knows how it began.
-void Session::keep_the_beginning() {
-    beginning_.reset();
-    if (options_.model_hands && assessor_.assesses() && assess::may_have_ghost(*assessor_.lesson()))
-        beginning_.emplace(Beginning{.state = checkpoints_.back().data, .others = {}});
+/// As an attempt begins, or is gone on with that began elsewhere: definition and seed say how it began,
+/// unless an instructor intervened in it.
+void Session::look_for_the_beginning() {
+    others_.reset();
+    if (options_.model_hands && assessor_.assesses() && assess::may_have_ghost(*assessor_.lesson()) &&
+        !assessor_.state().intervened)
+        others_.emplace();
 }
 
 void Session::keep_for_the_model(const exercise::Order& command, const std::string& source) {
-    if (beginning_ && stays(command, source)) beginning_->others.push_back(orders_.back());
+    if (others_ && stays(command, source)) others_->push_back(orders_.back());
 }
 
 /// After a restore: what came later did not happen.
 void Session::forget_for_the_model() {
-    if (beginning_)
-        std::erase_if(beginning_->others, [&](const OrderView& order) { return order.tick >= tick_; });
+    if (others_) std::erase_if(*others_, [&](const OrderView& order) { return order.tick >= tick_; });
 }
 
 bool Session::practises() const {
@@ -65,7 +66,7 @@ unsigned Session::aids(std::size_t seat) const {
     unsigned aids = 0;
     if (told < kMostHints) aids |= aid_hints;
     if (state.hint_asked.at(seat) >= 0) aids |= aid_hint_wanted;
-    if (beginning_ && !exercise_.foreign()) {
+    if (others_ && !exercise_.foreign()) {
         aids |= aid_ghost;
         if (state.ghost_on.at(seat)) aids |= aid_ghost_on;
     }

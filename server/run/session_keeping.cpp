@@ -27,6 +27,7 @@ void Session::begin_after_loss() {
     const Resumption how = *std::exchange(options_.resumption, std::nullopt); // a reset begins without it
     if (!how.checkpoint.empty()) {
         go_on_from(read_state(how.checkpoint));
+        look_for_the_beginning();
         kept_course_ = how.course;
         if (!(options_.realtime && how.time_scale == 0)) status_.time_scale = how.time_scale;
         status_.state = how.set_back.empty() ? how.state : RunState::paused;

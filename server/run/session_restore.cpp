@@ -39,8 +39,8 @@ void Session::carry_out(const StateOrder& order, const ReceivedOrder& from) {
     try {
         Kept brought = read_state(order.checkpoint);
         checkpoints_.clear(); // of another exercise, or another past of this one
-        beginning_.reset();
         go_on_from(std::move(brought));
+        look_for_the_beginning();
     } catch (const exercise::CheckpointError& error) {
         refuse("RestoreCommand", from.source, "checkpoint",
                fmt::format("{} bytes from {}", order.checkpoint.size(), order.from), printable(error.what()));

@@ -4,6 +4,9 @@
 #include "lesson/beside.hpp"
 #include "server/config/config.hpp"
 #include "server/host/companion.hpp"
+#include "server/run/course.hpp"
+
+#include "tests/run/session_rig.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +14,14 @@ namespace windlass::lesson {
 namespace {
 
 using host::Companion;
+using run::test::give;
+using run::test::run_order;
 using namespace std::chrono_literals;
 
 const std::filesystem::path kConfig = WINDLASS_CONFIG_DIR;
 
 run::ModelHandsFrom hands_from_config() {
-    return [](const std::vector<std::uint8_t>& beginning) { return model_beside(beginning, kConfig); };
+    return [](const run::Beginning& beginning) { return model_beside(beginning, kConfig); };
 }
 
 run::SessionOptions options() {
@@ -40,17 +45,11 @@ protected:
         : session_(for_practice(file), options()) {}
 
     void ask(assess::AidKind kind, bool forecastle = true) {
-        run::Inbox inbox;
-        inbox.orders.push_back(
-            {"trainee",
-             run::AnswerOrder{forecastle,
-                              assess::write_aid({.kind = kind, .forecastle = forecastle, .on = true})}});
-        session_.carry_out(inbox, session_.now_time());
+        const auto word = assess::write_aid({.kind = kind, .forecastle = forecastle, .on = true});
+        give(session_, run::AnswerOrder{forecastle, word}, session_.now_time(), "trainee");
     }
     void report(const exercise::ReportMade& report) {
-        run::Inbox inbox;
-        inbox.orders.push_back({"trainee", exercise::Order{report}});
-        session_.carry_out(inbox, session_.now_time());
+        give(session_, exercise::Order{report}, session_.now_time(), "trainee");
     }
     /// Goes on to that time, s.
     void run_to(double time) {
@@ -95,7 +94,7 @@ TEST_F(CompanionTest, ShowsWhatTheModelsHandsDoAndNothingOfTheRest) {
     run_to(0.2);
     ask(assess::AidKind::ghost);
     run_to(3.2);
-    const auto hands = model_beside(session_.beginning()->state, kConfig);
+    const auto hands = model_beside(session_.beginning(), kConfig);
     ASSERT_EQ(shown_.forecastle.size(), 1U);
     const ForecastleView& shown = shown_.forecastle.front();
     while (hands->tick() < shown.tick())
@@ -115,7 +114,7 @@ TEST_F(CompanionTest, ShowsWhatTheModelsHandsDoAndNothingOfTheRest) {
 TEST_F(CompanionTest, WaitsForWhatTheTraineesLessonHasNotBrought) {
     ask(assess::AidKind::ghost);
     run_to(60);
-    const auto hands = model_beside(session_.beginning()->state, kConfig);
+    const auto hands = model_beside(session_.beginning(), kConfig);
     while (hands->state().orders[1].given < 0)
         ASSERT_TRUE(hands->step());
     const auto second = static_cast<std::uint64_t>(hands->state().orders[1].given);
@@ -147,6 +146,19 @@ TEST_F(CompanionTest, AskedForLateTheyCatchUp) {
     EXPECT_LT(session_.now_time() - shown_.forecastle.front().time(), 0.35);
 }
 
+/// As from a recording, or after its server was lost.
+TEST_F(CompanionTest, AnAttemptThatIsGoneOnWithElsewhereHasThem) {
+    run_to(5);
+    const std::vector<std::uint8_t> kept = session_.state();
+    give(session_, run_order(run::RunAction::reset));
+    give(session_, run::StateOrder{.from = "monday", .checkpoint = kept});
+    give(session_, run_order(run::RunAction::start));
+    ask(assess::AidKind::ghost);
+    run_to(6);
+    ASSERT_FALSE(shown_.forecastle.empty());
+    EXPECT_LT(session_.now_time() - shown_.forecastle.front().time(), 0.35);
+}
+
 TEST_F(CompanionTest, TheExerciseIsTheSameWithThemAndWithout) {
     ask(assess::AidKind::ghost);
     run_to(5);
@@ -165,7 +177,7 @@ protected:
 TEST_F(CompanionInL15, HandsThatMeetAFaultGiveNothingOfItAwayBeforeItComes) {
     ask(assess::AidKind::ghost);
     run_to(150);
-    const auto hands = model_beside(session_.beginning()->state, kConfig);
+    const auto hands = model_beside(session_.beginning(), kConfig);
     const auto met = [&] {
         return std::ranges::any_of(hands->state().faults, [](int fault) { return fault > 0; });
     };
@@ -176,6 +188,31 @@ TEST_F(CompanionInL15, HandsThatMeetAFaultGiveNothingOfItAwayBeforeItComes) {
         std::ranges::all_of(session_.assessor().state().faults, [](int fault) { return fault == 0; }));
     EXPECT_LE(shown_.forecastle.front().tick(), hands->tick());
     EXPECT_GT(shown_.forecastle.front().tick() + 60, hands->tick());
+}
+
+/// To the bit, with the chance that was drawn when it began: its fault comes at the same tick.
+TEST_F(CompanionInL15, ItsHandsBeginAsTheAttemptBegan) {
+    const std::vector<std::uint8_t> first = session_.state();
+    run_to(20);
+    run::Session elsewhere(for_practice("L01_let_go_25m.json"), options());
+    give(elsewhere, run::StateOrder{.from = "monday", .checkpoint = session_.state()});
+    const run::Beginning beginning = elsewhere.beginning();
+    EXPECT_EQ(run::beginning_of(beginning.def, beginning.seed).checkpoint(), first);
+}
+
+/// Their faults and weather, of a lesson that has both.
+TEST(ModelBeside, WhatALessonBringsIsNoIntervention) {
+    for (const char* file : {"L15_motor_overhauled.json", "L07_second_anchor.json"}) {
+        const exercise::ExerciseDef def = for_practice(file);
+        const auto hands = model_beside({.def = def, .seed = 9}, kConfig);
+        const assess::State& state = hands->state();
+        while (std::ranges::all_of(state.faults, [](int fault) { return fault == 0; }) && state.changes == 0)
+            ASSERT_TRUE(hands->step()) << file;
+        ASSERT_TRUE(hands->step());
+        EXPECT_FALSE(state.intervened) << file;
+        hands->take(exercise::EnvironmentOrder{});
+        EXPECT_TRUE(state.intervened) << file;
+    }
 }
 
 TEST_F(CompanionTest, AHintComesAndIsCounted) {

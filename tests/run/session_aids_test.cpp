@@ -36,7 +36,7 @@ class SessionAids : public test::SessionTest {
 protected:
     SessionOptions with_hands() const {
         SessionOptions options = this->options();
-        options.model_hands = [](const std::vector<std::uint8_t>&) { return nullptr; };
+        options.model_hands = [](const Beginning&) { return nullptr; };
         return options;
     }
     static std::string refusal(Session& session, OrderContent order) {
@@ -112,6 +112,27 @@ TEST_F(SessionAids, GhostIsInTheRecordOnceASeatAndAfterARestoreToo) {
     exercise::Exercise exercise = exercise::read_checkpoint(session.state(), {}, &assessor);
     EXPECT_EQ(assessor.result().hints.size(), 2U);
     EXPECT_EQ(assessor.result().assessment_hash, session.assessor().result().assessment_hash);
+}
+
+TEST_F(SessionAids, GhostIsToBeHadInAnAttemptThatIsGoneOnWithUnlessAnInstructorIntervened) {
+    Session session(def(), with_hands());
+    run(session, 0.5);
+    const StateOrder before{.from = "before", .checkpoint = session.state()};
+    give(session, exercise::Order{exercise::FaultOrder{}});
+    EXPECT_EQ(refusal(session, ask(AidKind::ghost)), "") << "here it is known what he did, and when";
+    const StateOrder behind{.from = "behind", .checkpoint = session.state()};
+
+    Session elsewhere(def(), with_hands());
+    give(elsewhere, before);
+    EXPECT_EQ(refusal(elsewhere, ask(AidKind::ghost)), "");
+    give(elsewhere, behind);
+    EXPECT_NE(refusal(elsewhere, ask(AidKind::ghost)).find("not to be had"), std::string::npos);
+
+    for (const StateOrder& order : {before, behind}) {
+        SessionOptions after_loss = with_hands();
+        after_loss.resumption = Resumption{.checkpoint = order.checkpoint, .refused = {}, .set_back = {}};
+        EXPECT_EQ((told(Session(def(), after_loss)) & aid_ghost) != 0, order.from == "before");
+    }
 }
 
 TEST_F(SessionAids, HintKeepsWhatWouldBeLost) {
