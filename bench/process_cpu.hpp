@@ -1,13 +1,14 @@
 #pragma once
 // What another process has cost.
 
+#include "rigs/udp_ports.hpp"
+
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -65,28 +66,9 @@ inline std::vector<pid_t> family_of(pid_t pid) {
 /// DDS participants of a process in that domain: each has a port of its own for discovery
 /// (DDSI-RTPS 9.6.1.1).
 inline int participants_of(pid_t pid, int domain) {
-    std::set<std::string> sockets;
-    std::error_code gone;
-    for (const auto& file :
-         std::filesystem::directory_iterator("/proc/" + std::to_string(pid) + "/fd", gone)) {
-        const std::string name = std::filesystem::read_symlink(file.path(), gone).string();
-        if (name.starts_with("socket:[")) sockets.insert(name.substr(8, name.size() - 9));
-    }
-    std::ifstream table("/proc/net/udp");
-    std::string line;
-    std::getline(table, line);
-    std::set<unsigned long> ports;
-    while (std::getline(table, line)) {
-        std::istringstream fields(line);
-        std::string number, local, word, inode;
-        fields >> number >> local;
-        for (int i = 3; i <= 10; ++i)
-            fields >> (i == 10 ? inode : word);
-        if (sockets.contains(inode)) ports.insert(std::stoul(local.substr(local.find(':') + 1), nullptr, 16));
-    }
     int count = 0;
-    for (const unsigned long port : ports) {
-        const long behind = static_cast<long>(port) - (7400 + 250L * domain + 10);
+    for (const int port : rigs::udp_ports_of(pid)) {
+        const int behind = port - (7400 + 250 * domain + 10);
         count += behind >= 0 && behind < 240 && behind % 2 == 0 ? 1 : 0;
     }
     return count;
