@@ -1,6 +1,7 @@
 // A whole anchoring computed in many ways: what each costs and how far it is from 1000 links in small steps.
 // README.md says how to read it; the model's policy is made from its table.
 
+#include "bench/program.hpp"
 #include "bench/table_file.hpp"
 #include "rigs/whole_anchoring.hpp"
 
@@ -33,7 +34,8 @@ int main(int argc, char** argv) {
     CLI::App app(
         "Computes a whole anchoring (let go, brought up, lying, weighed) at many link lengths and by the "
         "model's policy; tells cost and difference from the reference as CSV. Exit codes: 0 done, 1 "
-        "a run failed, 2 bad option.");
+        "a run failed, 2 bad option.",
+        "anchoring_chart");
     windlass::bench::TableOptions options;
     double lying = 600;
     int shackles = 6;
@@ -42,12 +44,7 @@ int main(int argc, char** argv) {
     app.add_option("--lying", lying, "s between brought up and weighing")->capture_default_str();
     app.add_option("--shackles", shackles, "cable paid out")->capture_default_str();
     app.add_option("--spacings", spacings, "m of chain between nodes")->capture_default_str();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    try {
+    return run_program(app, argc, argv, [&] {
         const exercise::ExerciseDef def = rigs::let_go_def();
         const rigs::Anchoring anchoring = rigs::work_anchoring(def, shackles, lying);
         const double finest = shackles * windlass::physics::kShackleLength / kLinks;
@@ -83,9 +80,5 @@ int main(int argc, char** argv) {
         print("1000 links", plain);
         for (const Row& row : rows)
             print(row.name, rigs::run_anchoring(row.def, anchoring));
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "anchoring_chart: {}\n", error.what());
-        return 1;
-    }
-    return 0;
+    });
 }

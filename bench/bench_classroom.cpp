@@ -1,6 +1,8 @@
 // How many exercises one server carries at 1 x real time. README.md says how to read it.
 
+#include "bench/measured_server.hpp"
 #include "bench/process_cpu.hpp"
+#include "bench/program.hpp"
 #include "bench/where.hpp"
 #include "idl/wire.hpp"
 #include "rigs/server_process.hpp"
@@ -23,11 +25,8 @@ struct Options {
     double seconds = 15;            // of each row, exercise and wall alike
     std::filesystem::path exercise; // empty: an anchor that hangs on its brake
     double swell = 0;               // m, about that
-    int domain = 98;
-    int threads = 1;
-    int workers = 0; // processes that share the exercises; 0: one, and no supervisor
+    bench::MeasuredServer server;
     std::string hear = "truth";
-    bool realtime = false;
     bool predict = false; // a minute ahead, for each exercise
     bool where = false;
     std::vector<int> exercises{1, 8, 64, 200};
@@ -181,17 +180,12 @@ std::size_t said_by(const rigs::ServerProcess& server) {
 }
 
 void row(const Options& options, const std::filesystem::path& exercise, int count) {
-    std::vector<std::string> arguments{"--domain",      std::to_string(options.domain),
-                                       "--threads",     std::to_string(options.threads),
-                                       "--config-root", WINDLASS_CONFIG_DIR,
-                                       "--log-level",   "debug"};
-    if (options.realtime) arguments.emplace_back("--realtime");
-    if (options.workers > 0)
-        arguments.insert(arguments.end(), {"--workers", std::to_string(options.workers)});
+    std::vector<std::string> arguments = options.server.arguments();
+    arguments.insert(arguments.end(), {"--log-level", "debug"});
     for (int i = 0; i < count; ++i)
         arguments.insert(arguments.end(),
                          {"--exercise", exercise.string(), "--partition", fmt::format("e{}", i)});
-    Listener listener(options.domain, options.hear);
+    Listener listener(options.server.domain, options.hear);
     const auto started = Clock::now();
     const rigs::ServerProcess server(arguments);
     while (!listener.hears(count)) {
@@ -228,7 +222,7 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
         100 * static_cast<double>(after.overruns - before.overruns) / ticks, heard,
         static_cast<double>(listener.samples() - samples) / elapsed / count,
         processes.sum(bench::memory_of) / count, processes.sum(bench::share_of_memory),
-        processes.sum([&](pid_t pid) { return bench::participants_of(pid, options.domain); }));
+        processes.sum([&](pid_t pid) { return bench::participants_of(pid, options.server.domain); }));
     if (options.predict)
         fmt::print(" {:.1f} | {:.2f} |", per_exercise("lookout"),
                    static_cast<double>(listener.predictions() - predictions) / elapsed / count);
@@ -248,14 +242,6 @@ int main(int argc, char** argv) {
     app.add_option("--exercises", options.exercises, "how many, one row each")
         ->check(CLI::Range(1, kMost))
         ->capture_default_str();
-    app.add_option("--threads", options.threads, "of each process, that tick exercises")
-        ->check(CLI::Range(1, 64))
-        ->capture_default_str();
-    app.add_option("--workers", options.workers,
-                   "processes that share the exercises, with a supervisor; 0: one")
-        ->check(CLI::Range(0, 32))
-        ->capture_default_str();
-    app.add_flag("--realtime", options.realtime, "the server under SCHED_FIFO, which needs the right to");
     app.add_flag("--predict", options.predict, "each exercise looks a minute ahead, again and again");
     app.add_option("--hear", options.hear, "what is heard of each exercise: seats, truth or nobody")
         ->check(CLI::IsMember({"seats", "truth", "nobody"}))
@@ -269,20 +255,13 @@ int main(int argc, char** argv) {
     app.add_option("--swell", options.swell, "m, about the anchor that hangs on its brake")
         ->check(CLI::Range(0.0, 4.0))
         ->excludes("--exercise");
-    app.add_option("--domain", options.domain, "DDS domain, to itself")
-        ->check(CLI::Range(0, 232))
-        ->capture_default_str();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    const auto own = hanging_anchor(options.swell);
-    const auto exercise = options.exercise.empty() ? own : options.exercise;
-    int code = 0;
-    try {
+    options.server.add_options(app);
+    std::filesystem::path own;
+    const int code = bench::run_program(app, argc, argv, [&] {
+        own = hanging_anchor(options.swell);
+        const auto exercise = options.exercise.empty() ? own : options.exercise;
         if (options.where) {
-            bench::tell_where(exercise, options.seconds, options.domain);
+            bench::tell_where(exercise, options.seconds, options.server.domain);
         } else {
             fmt::print("| exercises | server's CPU, of a core | ms/s each | ticks | publishing | DDS | half "
                        "late, ms | 99 % | all | slowest, x real time | overruns | heard after, s | samples/s "
@@ -293,10 +272,7 @@ int main(int argc, char** argv) {
             for (const int count : options.exercises)
                 row(options, exercise, count);
         }
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "bench_classroom: {}\n", error.what());
-        code = 1;
-    }
+    });
     std::filesystem::remove(own);
     return code;
 }

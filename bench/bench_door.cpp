@@ -3,7 +3,9 @@
 
 #include <utility> // std::exchange, which Boost.Asio 1.74 uses without it
 
+#include "bench/measured_server.hpp"
 #include "bench/process_cpu.hpp"
+#include "bench/program.hpp"
 #include "idl/payload.hpp"
 #include "rigs/server_process.hpp"
 
@@ -45,10 +47,7 @@ struct Options {
     double seconds = 30; // of each row
     int pages = 5;       // of each exercise: forecastle, bridge, and the others look on
     std::string lesson = "L01_let_go_25m";
-    int domain = 97;
-    int threads = 1; // of the server
-    int workers = 0;
-    bool realtime = false;
+    bench::MeasuredServer server;
     bool unrecorded = false;
     std::filesystem::path security; // folder of identities; empty: DDS open to all
     std::vector<int> classes{4, 12, 48};
@@ -122,7 +121,7 @@ private:
                                          "--partition",
                                          "none",
                                          "--domain",
-                                         std::to_string(options.domain),
+                                         std::to_string(options.server.domain),
                                          "--sessions",
                                          "10000"};
         add_identity(options, "door", command);
@@ -345,16 +344,8 @@ double part(const std::vector<double>& sorted, double share) {
 }
 
 std::vector<std::string> arguments_of(const Options& options) {
-    std::vector<std::string> arguments{"--classroom",
-                                       "--config-root",
-                                       WINDLASS_CONFIG_DIR,
-                                       "--domain",
-                                       std::to_string(options.domain),
-                                       "--threads",
-                                       std::to_string(options.threads)};
-    if (options.realtime) arguments.emplace_back("--realtime");
-    if (options.workers > 0)
-        arguments.insert(arguments.end(), {"--workers", std::to_string(options.workers)});
+    std::vector<std::string> arguments = options.server.arguments();
+    arguments.emplace_back("--classroom");
     add_identity(options, "server", arguments);
     return arguments;
 }
@@ -452,27 +443,13 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 8))
         ->capture_default_str();
     app.add_option("--lesson", options.lesson, "an exercise file of config")->capture_default_str();
-    app.add_option("--threads", options.threads, "of the server, that tick exercises")
-        ->check(CLI::Range(1, 64))
-        ->capture_default_str();
-    app.add_option("--workers", options.workers, "processes that share the exercises; 0: one")
-        ->check(CLI::Range(0, 32))
-        ->capture_default_str();
-    app.add_flag("--realtime", options.realtime, "the server under SCHED_FIFO, which needs the right to");
     app.add_flag("--unrecorded", options.unrecorded, "no exercise is recorded: a class always is");
     app.add_option("--security", options.security,
                    "DDS Security, with the identities that make_identities has put into that folder")
         ->type_name("FOLDER")
         ->check(CLI::ExistingDirectory);
-    app.add_option("--domain", options.domain, "DDS domain, to itself")
-        ->check(CLI::Range(0, 232))
-        ->capture_default_str();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    try {
+    options.server.add_options(app);
+    return bench::run_program(app, argc, argv, [&] {
         fmt::print(
             "| exercises | pages | samples/s | kB/s | half within, ms | 99 % | all | seen, of moves | door, "
             "of a core | recorders | server | these pages | door, MB | server, MB | made after, s | sent "
@@ -480,9 +457,5 @@ int main(int argc, char** argv) {
             "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
         for (const int count : options.classes)
             row(options, count);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "bench_door: {}\n", error.what());
-        return 1;
-    }
-    return 0;
+    });
 }

@@ -2,6 +2,7 @@
 // exercise thread. README.md says how to read it.
 
 #include "bench/process_cpu.hpp"
+#include "bench/program.hpp"
 #include "rigs/server_process.hpp"
 #include "server/dds/publisher.hpp"
 #include "server/exercise/exercise.hpp"
@@ -219,16 +220,5 @@ int main(int argc, char** argv) {
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory);
     app.add_flag("--realtime", options.realtime, "rows with the server under SCHED_FIFO as well");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    try {
-        report(options);
-        return 0;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "bench_wire: {}\n", error.what());
-        return 1;
-    }
+    return bench::run_program(app, argc, argv, [&] { report(options); });
 }

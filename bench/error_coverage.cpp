@@ -3,6 +3,7 @@
 
 #include "rigs/error_coverage.hpp"
 #include "bench/anchorings.hpp"
+#include "bench/program.hpp"
 #include "bench/table_file.hpp"
 #include "bench/work_in_order.hpp"
 
@@ -140,7 +141,8 @@ Found together(const std::vector<Found>& founds) {
 int main(int argc, char** argv) {
     CLI::App app("Holds the error that the model publishes against the one that it makes, over whole "
                  "anchorings; tells the share of moments that are covered as CSV. Exit codes: 0 done, 1 a "
-                 "run failed, 2 bad option.");
+                 "run failed, 2 bad option.",
+                 "error_coverage");
     windlass::bench::TableOptions options;
     std::string moments;
     double lying = 240;
@@ -157,12 +159,7 @@ int main(int argc, char** argv) {
     app.add_option("--threads", threads, "anchorings worked at a time")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    try {
+    return run_program(app, argc, argv, [&] {
         windlass::bench::TableFile file(options);
         std::ostream& table = file.stream();
         fmt::print(table, "anchoring,estimated");
@@ -187,9 +184,5 @@ int main(int argc, char** argv) {
         });
         if (!founds.empty()) print_row(table, "all", together(founds));
         fmt::print(table, "# within the budget of load and shape: {} of {}\n", within_budget, founds.size());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "error_coverage: {}\n", error.what());
-        return 1;
-    }
-    return 0;
+    });
 }

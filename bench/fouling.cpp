@@ -2,6 +2,7 @@
 // README.md says how to read it.
 
 #include "bench/anchorings.hpp"
+#include "bench/program.hpp"
 #include "bench/table_file.hpp"
 #include "bench/work_in_order.hpp"
 #include "rigs/drill.hpp"
@@ -96,7 +97,8 @@ std::vector<std::uint64_t> numbers(std::uint64_t seed, std::size_t count) {
 int main(int argc, char** argv) {
     CLI::App app(
         "Lets go anchors drawn at random, draws their cables tight and tells how each comes to lie, by "
-        "the length of the model's links, as CSV. Exit codes: 0 done, 1 a run failed, 2 bad option.");
+        "the length of the model's links, as CSV. Exit codes: 0 done, 1 a run failed, 2 bad option.",
+        "fouling");
     TableOptions options;
     std::uint64_t seed = 1;
     std::size_t count = 50, threads = std::thread::hardware_concurrency();
@@ -112,12 +114,7 @@ int main(int argc, char** argv) {
     app.add_flag("--unchecked", unchecked,
                  "all the cable at once, brake wide open, instead of a shackle at a time");
     app.add_option("--threads", threads, "let-gos worked at a time")->check(CLI::Range(1, 64));
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    try {
+    return run_program(app, argc, argv, [&] {
         TableFile file(options);
         std::ostream& table = file.stream();
         fmt::print(table, "number,anchoring,anchor,links,was_foul,foul,off_lead_deg,embedment,holding,"
@@ -147,9 +144,5 @@ int main(int argc, char** argv) {
         });
         for (std::size_t s = 0; s < links.size(); ++s)
             fmt::print(table, "# links {}: {} of {} foul, {} astray\n", links[s], foul[s], count, astray[s]);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "fouling: {}\n", error.what());
-        return 1;
-    }
-    return 0;
+    });
 }

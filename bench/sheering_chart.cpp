@@ -1,6 +1,7 @@
 // Every ship at anchor in a steady wind: how far she sheers, how long an eight takes, and what her cable
 // carries; and with a second anchor underfoot. docs/ships.md says what to make of it.
 
+#include "bench/program.hpp"
 #include "bench/sheering_drawing.hpp"
 #include "bench/table_file.hpp"
 #include "bench/yaw_damping.hpp"
@@ -154,7 +155,8 @@ int main(int argc, char** argv) {
         known.push_back(ship.ship);
     CLI::App app("Lets every ship of docs/ships.md lie to one anchor and, in the strongest wind, to a second "
                  "one underfoot as well; tells yaw, period and load as CSV. Some 10 s for a row. Exit "
-                 "codes: 0 done, 1 a run failed or a file cannot be written, 2 bad option.");
+                 "codes: 0 done, 1 a run failed or a file cannot be written, 2 bad option.",
+                 "sheering_chart");
     bench::add_table_options(app, options.table);
     app.add_option("--chart", options.chart, "file for the chart, SVG; else none");
     app.add_option("--winds", options.winds, "m/s, the strongest last")
@@ -167,19 +169,10 @@ int main(int argc, char** argv) {
                  "instead, the ships of which reports tell how they yawed, in more and more of the weather");
     app.add_flag("--damping", options.damping,
                  "instead, the Panamax in ballast with one thing at a time that could damp or steady her");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    try {
+    return bench::run_program(app, argc, argv, [&] {
         if (options.damping)
             bench::table_of_dampings(bench::TableFile(options.table).stream(), options.winds);
         else
             options.reports ? run_reports(options) : run(options);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "sheering_chart: {}\n", error.what());
-        return 1;
-    }
-    return 0;
+    });
 }
