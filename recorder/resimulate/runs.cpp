@@ -64,12 +64,30 @@ const Mark* Run::first_checkpoint() const {
     return found == marks.end() ? nullptr : &*found;
 }
 
+/// An event of the server's, that it has taken an exercise up.
+struct TakenUp {
+    std::uint64_t tick = 0;
+    recording::Nanoseconds log_time = 0;
+};
+
+/// It is the second run's: at the state with which that begins, and told when all of the first had been.
+bool is_between(const TakenUp& event, const Run& before, const Run& run) {
+    const Mark* const begins = run.first_checkpoint();
+    const auto last = std::ranges::max(before.marks, {}, &Mark::log_time);
+    return begins != nullptr && event.tick == begins->tick && event.log_time >= last.log_time;
+}
+
 std::vector<Run> runs_of(recording::Recording& recording) {
     std::vector<Run> runs;
-    auto cursor = recording.messages({.topics = {topics::exercise_status.name, topics::exercise_truth.name,
-                                                 topics::checkpoint.name, topics::order_taken.name}});
+    std::vector<TakenUp> taken_up;
+    auto cursor = recording.messages(
+        {.topics = {topics::exercise_status.name, topics::exercise_truth.name, topics::checkpoint.name,
+                    topics::order_taken.name, topics::event.name}});
     while (const auto message = cursor.next()) {
-        if (message->topic() == topics::order_taken.name) {
+        if (message->topic() == topics::event.name) {
+            const auto sample = recording::decode<Event>(message->payload);
+            if (sample.code() == "exercise.taken_up") taken_up.push_back({sample.tick(), message->log_time});
+        } else if (message->topic() == topics::order_taken.name) {
             auto order = dds::order_view(recording::decode<OrderTaken>(message->payload));
             run_of(runs, order.run).orders.push_back(std::move(order));
         } else if (message->topic() == topics::checkpoint.name) {
@@ -84,7 +102,22 @@ std::vector<Run> runs_of(recording::Recording& recording) {
         }
     }
     std::ranges::for_each(runs, put_in_order);
+    for (std::size_t k = 1; k < runs.size(); ++k)
+        runs[k].taken_up =
+            !runs[k - 1].marks.empty() && std::ranges::any_of(taken_up, [&](const TakenUp& event) {
+                return is_between(event, runs[k - 1], runs[k]);
+            });
     return runs;
+}
+
+std::vector<std::span<const Run>> attempts_of(const std::vector<Run>& runs) {
+    std::vector<std::span<const Run>> attempts;
+    for (auto first = runs.begin(); first != runs.end();) {
+        const auto end = std::find_if(first + 1, runs.end(), [](const Run& run) { return !run.taken_up; });
+        attempts.emplace_back(first, end);
+        first = end;
+    }
+    return attempts;
 }
 
 const Run& find_run(const std::vector<Run>& runs, std::size_t wanted, double time) {

@@ -4,6 +4,8 @@
 #include "recorder/recording/recording.hpp"
 #include "server/run/status.hpp"
 
+#include <span>
+
 namespace windlass::recorder {
 
 /// A state that the recording has: its hash, or all of it.
@@ -20,6 +22,7 @@ struct Mark {
 struct Run {
     std::uint64_t number = 0;           ///< as the server counts
     std::string exercise;               ///< its name; empty when no ExerciseStatus of it was heard
+    bool taken_up = false;              ///< goes on with the run before it, whose server was lost
     std::vector<Mark> marks;            ///< in the order in which they came to be
     std::vector<run::OrderView> orders; ///< by number, each once
 
@@ -33,6 +36,9 @@ struct Run {
 /// The runs of a recording, in the order of their beginning. Throws mcap::Damage when a message of these
 /// topics is not of its type.
 std::vector<Run> runs_of(recording::Recording& recording);
+
+/// One for each attempt: a run, and those that went on with it after its server was lost.
+std::vector<std::span<const Run>> attempts_of(const std::vector<Run>& runs);
 
 /// The run wanted (1: the first of the recording; 0: the last that covers the time). Throws
 /// std::runtime_error, saying what there is, when none covers the time.

@@ -64,7 +64,7 @@ void add_whatif(CLI::App& app, Command& chosen) {
     CLI::App& sub = *app.add_subcommand(
         "whatif", "for each lost point of a recorded lesson, the smallest change that would have kept it");
     sub.add_option("recording", options->paths, "folder of a recording, or its MCAP files")->required();
-    sub.add_option("--run", options->run, "which run of the recording, 1: the first (default: the last)")
+    sub.add_option("--run", options->run, "which attempt of the recording, 1: the first (default: the last)")
         ->check(CLI::Range(1, 1'000'000));
     sub.add_option("--criterion", options->criterion, "only this one, by its id");
     sub.add_option("--config", options->config, "folder with the scripts of the lesson's model run")

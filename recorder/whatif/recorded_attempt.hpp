@@ -8,9 +8,9 @@
 
 namespace windlass::recorder {
 
-/// A run from its first checkpoint on. Throws Gap where an order is missing, mcap::Damage where a checkpoint
-/// cannot be read.
-whatif::Attempt recorded_attempt(recording::Recording& recording, const Run& run);
+/// An attempt (attempts_of()) from its first checkpoint on. Throws Gap where an order is missing, or the
+/// state in which it was taken up; mcap::Damage where a checkpoint cannot be read.
+whatif::Attempt recorded_attempt(recording::Recording& recording, std::span<const Run> runs);
 
 /// The scripts of the lesson's model run, as the lesson names them; empty: no lesson, or none named. Throws
 /// exercise::CheckpointError.
@@ -20,8 +20,8 @@ std::vector<std::string> model_scripts(const whatif::Attempt& attempt);
 std::vector<trainee::Script> model_of(const whatif::Attempt& attempt, const std::filesystem::path& config,
                                       const Tell& tell);
 
-/// The attempt of a run of a recording, 1 the first, 0 the last. Throws std::runtime_error where there is no
-/// such run, and as above.
+/// An attempt of a recording, 1 the first, 0 the last. Throws std::runtime_error where there is no such one,
+/// and as above.
 whatif::Attempt recorded_attempt(recording::Recording& recording, std::size_t run);
 
 } // namespace windlass::recorder

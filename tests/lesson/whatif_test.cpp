@@ -311,7 +311,7 @@ TEST(WhatIf, OfARecordingIsThatOfTheAttempt) {
     recording::Recording recording({folder.path()});
     const auto runs = recorder::runs_of(recording);
     ASSERT_EQ(runs.size(), 1U);
-    const Attempt attempt = recorder::recorded_attempt(recording, runs[0]);
+    const Attempt attempt = recorder::recorded_attempt(recording, runs);
     EXPECT_EQ(recorder::model_scripts(attempt), one.file.lesson.model_run.scripts);
     Trials trials(attempt, one.model);
     const std::string answer = json_of(trials, {what_if(trials, "report")}).dump(2);
@@ -326,6 +326,48 @@ TEST(WhatIf, OfARecordingIsThatOfTheAttempt) {
     const int code = chosen();
     EXPECT_EQ(testing::internal::GetCapturedStdout(), answer + "\n");
     EXPECT_EQ(code, recorder::kOk);
+}
+
+// The server is lost twice: once as it is killed, once behind a state from which it is set back.
+TEST(WhatIf, OfAnAttemptAcrossALossIsThatOfTheWhole) {
+    const Played one("L18_stuck.json");
+    Trials live(one.attempt, one.model);
+    const test::Folder folder;
+    {
+        test::TapedSession taped(folder.path(), one.file.def);
+        const std::uint64_t third = one.attempt.last_tick / 3;
+        const auto run_to = [&](std::uint64_t tick) {
+            taped.run(static_cast<int>(tick - taped.session().now_tick()));
+        };
+        int losses = 0;
+        for (const run::OrderView& order : live.orders()) {
+            if (losses < 2 && order.tick > (losses + 1) * third) {
+                run_to((losses + 1) * third);
+                const auto kept = taped.kept();
+                if (losses == 1) {
+                    taped.give(exercise::Order{exercise::WindlassOrder{.brake = 0.5}});
+                    taped.run(200);
+                }
+                taped.lose_server(kept);
+                taped.give(run::RunAction::start);
+                ++losses;
+            }
+            run_to(order.tick);
+            taped.give(order.command);
+        }
+        ASSERT_EQ(losses, 2);
+        while (!taped.session().assessor().ended())
+            taped.run(20);
+        taped.close();
+    }
+    recording::Recording recording({folder.path()});
+    ASSERT_EQ(recorder::runs_of(recording).size(), 3U);
+    const Attempt attempt = recorder::recorded_attempt(recording, std::size_t{0});
+    Trials trials(attempt, one.model);
+    EXPECT_EQ(trials.recorded().assessment_hash, live.recorded().assessment_hash);
+    EXPECT_EQ(json_of(trials, {what_if(trials, "report")}).dump(2),
+              json_of(live, {what_if(live, "report")}).dump(2));
+    EXPECT_THROW(recorder::recorded_attempt(recording, 2), std::runtime_error) << "it is one attempt";
 }
 
 } // namespace windlass::whatif
