@@ -1,0 +1,129 @@
+// The fold over made pictures: what the lesson's bridge orders, and what becomes of it.
+
+#include "tests/lesson/course.hpp"
+
+#include <gtest/gtest.h>
+
+namespace windlass::assess {
+
+TEST(Assessment, LessonGivesItsOrdersInTheirSequence) {
+    Course course(lesson(
+        R"({"id": "o", "kind": "order", "orders": ["in", "out"]})",
+        R"(, "orders": [{"id": "in", "code": "gear_in", "when": {"time": 5}}, {"id": "out", "code": "gear_out"}])"));
+    course.run(4.8);
+    EXPECT_TRUE(course.due.empty());
+    course.run(0.3);
+    ASSERT_EQ(course.due.size(), 1u);
+    const auto given = std::get<exercise::BridgeOrderGiven>(course.due[0]);
+    EXPECT_EQ(given.code, exercise::BridgeOrderCode::gear_in);
+    course.seen().bridge_orders.push_back(
+        {.number = 1, .time = 5, .repeat_by = 15, .do_by = 25, .given = given});
+    course.run(5);
+    EXPECT_EQ(course.due.size(), 1u); // it is not carried out yet
+    course.seen().bridge_orders[0].state = exercise::BridgeOrderState::repeated;
+    course.windlass().clutch = exercise::ClutchState::in;
+    course.run(3);
+    ASSERT_EQ(course.due.size(), 2u);
+    EXPECT_EQ(std::get<exercise::BridgeOrderGiven>(course.due[1]).code, exercise::BridgeOrderCode::gear_out);
+    EXPECT_EQ(course.mark().milli, 1000);
+}
+
+TEST(Assessment, OrderRepeatedWronglyAndDoneLateKeepsHalf) {
+    Course course(lesson(R"({"id": "o", "kind": "order", "orders": "in"})",
+                         R"(, "orders": [{"id": "in", "code": "gear_in"}])"));
+    course.windlass().clutch = exercise::ClutchState::out;
+    course.run(1);
+    ASSERT_EQ(course.due.size(), 1u);
+    course.seen().bridge_orders.push_back({.number = 1,
+                                           .time = 1,
+                                           .repeat_by = 11,
+                                           .do_by = 21,
+                                           .given = std::get<exercise::BridgeOrderGiven>(course.due[0]),
+                                           .state = exercise::BridgeOrderState::misrepeated});
+    course.run(2);
+    course.seen().bridge_orders[0].state = exercise::BridgeOrderState::repeated;
+    course.run(38); // 40 s after it was given: twice as long as he had
+    course.windlass().clutch = exercise::ClutchState::in;
+    course.run(5);
+    course.end();
+    EXPECT_EQ(course.mark().milli, 500); // 200 of 400 for the repeat, 300 of 600 for the deed
+}
+
+// Both gears at the first order, one of them at the second.
+TEST(Assessment, OrderToBothIsCarriedOutByBoth) {
+    Course course(lesson(R"({"id": "o", "kind": "order", "orders": ["in", "out"]})",
+                         R"(, "orders": [{"id": "in", "code": "gear_in", "side": "both"},
+                                         {"id": "out", "code": "gear_out", "side": "both"}])"));
+    course.seen().tackle.emplace_back();
+    course.seen().tackle[1].side = exercise::Side::starboard;
+    auto& port = course.seen().tackle[0].windlass;
+    auto& starboard = course.seen().tackle[1].windlass;
+    port.clutch = starboard.clutch = exercise::ClutchState::out;
+    course.run(1);
+    ASSERT_EQ(course.due.size(), 1u);
+    const auto give = [&](int number) {
+        course.seen().bridge_orders.push_back(
+            {.number = number,
+             .time = course.seen().time,
+             .given = std::get<exercise::BridgeOrderGiven>(course.due.back()),
+             .state = exercise::BridgeOrderState::repeated});
+    };
+    give(1);
+    port.clutch = exercise::ClutchState::in;
+    course.run(5);
+    ASSERT_EQ(course.now().orders.size(), 1U);
+    EXPECT_EQ(course.now().orders[0].tick, 0U) << "starboard has done nothing";
+    port.clutch = exercise::ClutchState::out; // he has done it, whatever he does after
+    starboard.clutch = exercise::ClutchState::in;
+    course.run(5);
+    EXPECT_EQ(course.now().orders[0].tick, 61U) << "when the second had";
+    ASSERT_EQ(course.due.size(), 2u);
+    give(2);
+    course.run(20); // port is out of gear
+    course.end();
+    EXPECT_EQ(course.mark().milli, 700); // 400 for the repeat and 600 for the deed, and 400 of the second
+    EXPECT_NE(course.mark().reason.find("\"put both windlasses out of gear\" not carried out by starboard"),
+              std::string::npos)
+        << course.mark().reason;
+    EXPECT_EQ(course.mark().lost_tick, 111U) << "when it was given";
+}
+
+TEST(Assessment, OrderThatIsNeverRepeatedSaysSo) {
+    Course course(lesson(R"({"id": "o", "kind": "order", "orders": "in"})",
+                         R"(, "orders": [{"id": "in", "code": "gear_in"}])"));
+    course.run(1);
+    ASSERT_EQ(course.due.size(), 1u);
+    course.seen().bridge_orders.push_back({.number = 1,
+                                           .time = 1,
+                                           .repeat_by = 11,
+                                           .given = std::get<exercise::BridgeOrderGiven>(course.due[0]),
+                                           .state = exercise::BridgeOrderState::not_repeated});
+    course.run(1);
+    course.windlass().clutch = exercise::ClutchState::in;
+    course.run(20);
+    course.end();
+    EXPECT_EQ(course.mark().reason,
+              "0:01 \"put port windlass in gear\" not repeated back, wanted within 10 s, "
+              "carried out after 1.0 s: 4.0 of 10 points lost");
+}
+
+// He who says nothing to it has not shown that he heard it.
+TEST(Assessment, OrderForWhatIsSoAlreadyEarnsNothingByItself) {
+    Course course(lesson(R"({"id": "o", "kind": "order", "orders": "in"})",
+                         R"(, "orders": [{"id": "in", "code": "gear_in"}])"));
+    course.windlass().clutch = exercise::ClutchState::in;
+    course.run(1);
+    ASSERT_EQ(course.due.size(), 1u);
+    course.seen().bridge_orders.push_back({.number = 1,
+                                           .time = 1,
+                                           .repeat_by = 11,
+                                           .given = std::get<exercise::BridgeOrderGiven>(course.due[0]),
+                                           .state = exercise::BridgeOrderState::not_repeated});
+    course.run(20);
+    course.end();
+    EXPECT_EQ(course.mark().reason,
+              "0:01 \"put port windlass in gear\" not repeated back, wanted within 10 s, so already when it "
+              "was given, and nothing said to it: 10.0 of 10 points lost");
+}
+
+} // namespace windlass::assess
