@@ -35,8 +35,7 @@ struct Options {
 /// An anchor that hangs 5 m out on its brake, beside the ship's side: a twentieth of the brake is more than
 /// its weight. swell: m, its height; a wind sea of a third of it comes with it.
 std::filesystem::path hanging_anchor(double swell) {
-    const auto file =
-        std::filesystem::temp_directory_path() / fmt::format("bench_classroom_{}.json", getpid());
+    auto file = std::filesystem::temp_directory_path() / fmt::format("bench_classroom_{}.json", getpid());
     std::ofstream(file) << fmt::format(
         R"({{"from": "let_go_port_25m", "name": "bench",
         "environment": {{"swell_height": {}, "swell_period": 11, "wave_height": {}, "wave_period": 4.5}},

@@ -93,7 +93,7 @@ public:
     Answer post(const std::string& secret, const std::string& target, const json& body) const {
         return ask(http::verb::post, secret, target, body.dump());
     }
-    void lead(json order) const { post(owner_, "/door/class", order); }
+    void lead(const json& order) const { post(owner_, "/door/class", order); }
     json classes() const { return ask(http::verb::get, owner_, "/door/classes", "").body["classes"]; }
     /// The secret of somebody's cookie, who now sits.
     std::string join(const std::string& code, const std::string& name) const {
@@ -117,7 +117,7 @@ private:
                                          "--recordings",
                                          recordings,
                                          "--exercises",
-                                         WINDLASS_CONFIG_DIR "/exercises",
+                                         std::string(WINDLASS_CONFIG_DIR) + "/exercises",
                                          "--partition",
                                          "none",
                                          "--domain",

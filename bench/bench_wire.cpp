@@ -169,7 +169,7 @@ void hand_over(const Options& options, int stations) {
     publisher.prepare(1, 2048);
     run::RunStatus run;
     run.state = exercise::RunState::running;
-    run.tick_rate_hz = tick_rate;
+    run.tick_rate_hz = exercise.def().tick_rate_hz;
     std::vector<double> costs;
     long waits = 0, taken = 0;
     const auto begin = Clock::now();

@@ -149,7 +149,7 @@ void DoorHost::keep_attempts() {
             if (!each.over || result.recording.empty() || result.in_history || !whole) continue;
             AttemptMade made{.recording = result.recording, .class_id = each.id, .seats = {}};
             std::ranges::copy_if(each.trainees, std::back_inserter(made.seats),
-                                 [&](const Trainee& one) { return one.exercise == exercise; });
+                                 [&, &its = exercise](const Trainee& one) { return one.exercise == its; });
             if (made.seats.empty() || !asked_for_history_.insert(made.recording).second) continue;
             slow_.add<bool>(
                 [put = options_.put_in_history, made] {

@@ -167,7 +167,8 @@ dds::DomainParticipantQos participant_qos(int domain, const Network& network, bo
                                  " is set and says how the others are found; --lan and --discovery-server "
                                  "do not go with it");
     }
-    if (by_profile()) return profile(std::getenv(kProfilesVariable));
+    if (const char* file = std::getenv(kProfilesVariable); file != nullptr && by_profile())
+        return profile(file);
     auto qos = !network.discovery_server.empty() ? client_of(network.discovery_server)
                : network.lan                     ? lan()
                                                  : one_host();

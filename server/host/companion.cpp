@@ -3,6 +3,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace windlass::host {
 
@@ -15,7 +17,7 @@ constexpr double kPiece = 0.1;
 constexpr double kLate = 1;
 
 std::uint64_t ticks(double seconds, int tick_rate) {
-    return static_cast<std::uint64_t>(seconds * tick_rate + 0.5);
+    return static_cast<std::uint64_t>(std::llround(seconds * tick_rate));
 }
 
 } // namespace

@@ -21,7 +21,7 @@ std::string reason() {
 /// Of threads that begin from now on. Where memory is locked all of a stack is there at once, which is 8 MB
 /// as a rule, and Fast DDS begins a thread for each port.
 void keep_stacks_small() {
-    constexpr std::size_t kStack = 2 * 1024 * 1024; // bytes
+    constexpr std::size_t kStack = 2UL << 20; // bytes
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
     pthread_attr_setstacksize(&attributes, kStack);

@@ -5,6 +5,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <utility>
+
 namespace windlass::run {
 
 namespace {

@@ -38,7 +38,7 @@ public:
     /// What a server that is killed now has kept.
     std::vector<std::uint8_t> kept() {
         session_->take_checkpoint_now();
-        const std::vector<std::uint8_t> bytes = session_->checkpoint()->data;
+        std::vector<std::uint8_t> bytes = session_->checkpoint()->data;
         publish(false);
         return bytes;
     }

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <memory>
 #include <thread>
@@ -94,9 +95,9 @@ TEST_F(SharedFeeds, MayComeAndGoAtOnce) {
     const auto stays = feed();
     ASSERT_TRUE(is_matched_by(1));
     std::atomic<bool> over{false};
-    std::vector<std::jthread> doors;
-    for (int k = 0; k < 4; ++k)
-        doors.emplace_back([&] {
+    std::array<std::jthread, 4> doors;
+    for (std::jthread& door : doors)
+        door = std::jthread([&] {
             while (!over) {
                 const auto seat = feed();
                 EXPECT_LE(seat->kept(wire::topics::alert).size(), 1U);
@@ -111,7 +112,8 @@ TEST_F(SharedFeeds, MayComeAndGoAtOnce) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     over = true;
-    doors.clear();
+    for (std::jthread& door : doors)
+        door.join();
     EXPECT_EQ(says_.matched(), 1);
 }
 

@@ -186,9 +186,9 @@ private:
 /// Lists fields under the names that they have in the source.
 #define WINDLASS_STATE(visitor, ...) (visitor).all(#__VA_ARGS__, __VA_ARGS__)
 
-/// Behind a list in a source file: it is compiled for both visitors.
+/// Behind a list in a source file: compiled for both visitors. NOLINTBEGIN(bugprone-macro-parentheses)
 #define WINDLASS_STATE_LISTED(Struct)                                                                        \
     template void visit_state(::windlass::physics::StateVisitor&, Struct&);                                  \
     template void visit_state(::windlass::physics::ConstStateVisitor&, const Struct&)
-
+// NOLINTEND(bugprone-macro-parentheses)
 } // namespace windlass::physics
