@@ -25,10 +25,10 @@ public:
 
 /// How much of the network is taken at a time.
 struct Limits {
-    std::size_t sessions = 16;       ///< pages and foreign clients
-    std::size_t connections = 256;   ///< asking for files, or not yet for anything
+    std::size_t sessions = 16;         ///< pages and foreign clients
+    std::size_t connections = 256;     ///< asking for files, or not yet for anything
     std::size_t message = 16UL * 1024; ///< bytes of a page's message
-    std::size_t body = 0;            ///< bytes of a request's body; 0: none is read
+    std::size_t body = 0;              ///< bytes of a request's body; 0: none is read
 };
 
 } // namespace windlass::gateway
