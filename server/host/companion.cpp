@@ -153,6 +153,7 @@ bool Companion::takes_what_is_new() {
     }
     if (!beginning) return hands_ != nullptr;
     try {
+        made_now_ = {};
         hands_ = from_(*beginning);
         maker_.emplace(hands_->def());
     } catch (const std::exception& error) {
@@ -178,7 +179,13 @@ void Companion::play_on(Time end) {
     const int tick_rate = hands_->def().tick_rate_hz;
     const std::uint64_t piece = ticks(kPiece, tick_rate);
     bool goes_on = true, moved = false;
-    if (ahead_) ahead_ = tells_too_much(), moved = !ahead_;
+    const auto look = [&] {
+        ahead_ = tells_too_much();
+        if (ahead_) return;
+        maker_->make(hands_->seen(), made_now_);
+        moved = true;
+    };
+    if (ahead_) look();
     while (goes_on && !ahead_ && hands_->tick() + piece <= until_now_ && Clock::now() < end) {
         for (std::uint64_t k = 0; k < piece && goes_on; ++k) {
             const auto later = std::ranges::find_if(
@@ -188,16 +195,14 @@ void Companion::play_on(Time end) {
             orders_now_.erase(orders_now_.begin(), later);
             goes_on = hands_->step();
         }
-        ahead_ = tells_too_much();
-        moved = moved || !ahead_;
+        look();
     }
-    if (!moved || ahead_) return;
-    // Those who wait have been level with the trainee's lesson, and are shown however late they are by now.
-    const bool level = !goes_on || hands_->tick() + ticks(kLate, tick_rate) >= until_now_;
-    maker_->make(hands_->seen(), made_now_);
+    // Those who wait are level with the trainee's lesson, and are shown as they stood before they were ahead
+    // of it, however late that is by now.
+    const bool level = ahead_ || !goes_on || hands_->tick() + ticks(kLate, tick_rate) >= until_now_;
     const std::lock_guard lock(mutex_);
-    if (attempt_ != playing_ || !(made_ || level)) return;
-    std::swap(picture_, made_now_);
+    if (attempt_ != playing_ || made_now_.forecastle.empty() || !(made_ ? moved : level)) return;
+    picture_ = made_now_;
     made_ = true;
 }
 

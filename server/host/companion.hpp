@@ -87,7 +87,7 @@ private:
     assess::State trainee_now_;
     std::vector<exercise::FaultView> faults_now_;
     bool ahead_ = false;
-    dds::Ghost made_now_;
+    dds::Ghost made_now_; // the last that tells nothing; empty: there was none yet
     std::optional<run::HintSearch> search_;
     double spent_ = 0; // s of processor time on it
 };

@@ -1,13 +1,17 @@
 // For practice: the model's hands over one's own, off until they are asked for, and a hint that is searched for.
 
 import assert from "node:assert/strict";
+import { mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 
 import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
 import { hadNoProblems, passesAxe } from "./pages";
-import { Rig, eventually } from "./rig";
+import { type Program, Rig, eventually } from "./rig";
 
 const rig = new Rig();
+let server: Program, keep: string;
 let deck: TestPage, bridge: TestPage, german: TestPage;
 
 const practice = (page: TestPage) => page.getByRole("group", { name: "for practice" });
@@ -15,8 +19,11 @@ const hands = (page: TestPage) => practice(page).getByRole("button", { name: "Mo
 const figures = async (page: TestPage) => (await practice(page).locator(".figures").textContent()) ?? "";
 const ghosts = (page: TestPage) => page.locator(".ghost:visible").count();
 
+const begin = () => rig.server("L01_let_go_25m", "--practice", "--keep", keep);
+
 before(async () => {
-  rig.server("L01_let_go_25m", "--practice");
+  keep = await mkdtemp(join(tmpdir(), "windlass-practice-"));
+  server = begin();
   const seat = await rig.station("forecastle");
   const conn = await rig.station("bridge");
   deck = await openPage(seat.url.replace("#", "?picture=off#"), { viewport: { width: 1600, height: 900 } });
@@ -26,6 +33,7 @@ before(async () => {
 after(async () => {
   await rig.end();
   await closeBrowser();
+  await rm(keep, { recursive: true, force: true });
 });
 
 test("it is offered, and nothing is shown before it is asked for", async () => {
@@ -57,6 +65,19 @@ test("the bridge has engine and rudder of them", async () => {
   await eventually("figures", async () => /engine .*rudder .*kn/.test(await figures(bridge)));
   if (process.env.PICTURES) await bridge.screenshot({ path: `${process.env.PICTURES}/practice_bridge.png` });
   await passesAxe(bridge);
+});
+
+test("a server that is lost and started again has them again", async () => {
+  await server.stop("SIGKILL");
+  await eventually("it is said", () => deck.locator(".silence").isVisible());
+  server = begin();
+  await eventually("the exercise is taken up", async () => await deck.locator(".silence").isHidden());
+  for (const page of [deck, bridge]) {
+    await eventually("they are shown", async () => (await ghosts(page)) === 2);
+    assert.equal(await hands(page).getAttribute("aria-pressed"), "true");
+  }
+  await eventually("with their figures", async () => /lever at stop, clutch .* m, /.test(await figures(deck)));
+  if (process.env.PICTURES) await deck.screenshot({ path: `${process.env.PICTURES}/practice_taken_up.png` });
 });
 
 test("switched off they are gone", async () => {

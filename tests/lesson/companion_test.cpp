@@ -146,6 +146,15 @@ TEST_F(CompanionTest, AskedForLateTheyCatchUp) {
     EXPECT_LT(session_.now_time() - shown_.forecastle.front().time(), 0.35);
 }
 
+TEST_F(CompanionTest, AskedForLateTheyCatchUpToWhereTheyWait) {
+    run_to(60); // and nobody has answered the first order
+    ask(assess::AidKind::ghost);
+    run_to(62);
+    ASSERT_FALSE(shown_.forecastle.empty());
+    EXPECT_LT(shown_.forecastle.front().time(), 50);
+    EXPECT_GT(shown_.forecastle.front().time(), 1);
+}
+
 /// As from a recording, or after its server was lost.
 TEST_F(CompanionTest, AnAttemptThatIsGoneOnWithElsewhereHasThem) {
     run_to(5);
