@@ -14,6 +14,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto kAgain = 30s;      // one that begins at anchor is played there first
+constexpr auto kTakesUp = 10s;    // for which a server that is started again may be at what it has kept
 constexpr auto kEnds = 10s;       // for which a class that is over waits for an exercise to end
 constexpr std::size_t kAsked = 8; // at a time: a server lets 16 wait
 
@@ -75,8 +76,13 @@ ClassRuns::Desk::Desk(const gateway::SharedReaders& readers, const std::string& 
               &wire::topics::bridge_order_command},
              "door"} {}
 
-void ClassRuns::listen() {
+void ClassRuns::listen(gateway::Clock::time_point now) {
     servers_ = instructor_.servers();
+    std::set<std::string> heard;
+    for (const ClassroomStatus& server : servers_)
+        heard.insert(server.server().to_string());
+    if (!std::ranges::includes(heard_servers_, heard)) newest_server_ = now;
+    heard_servers_ = std::move(heard);
     found_.clear();
     for (const ClassroomStatus& server : servers_)
         for (const ClassroomExercise& each : server.exercises())
@@ -117,7 +123,7 @@ void ClassRuns::record(const TrainingClass& of, const std::string& exercise) {
 }
 
 void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::time_point now) {
-    listen();
+    listen(now);
     std::set<std::string> wanted;
     for (const auto& [exercise, leaving] : to_be_removed_)
         wanted.insert(exercise);
@@ -126,9 +132,10 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
         for (const std::string& exercise : each.exercises) {
             wanted.insert(exercise);
             if (!found_.contains(exercise)) {
-                create(exercise, each, now);
+                if (!may_be_kept(exercise, now)) create(exercise, each, now);
                 continue;
             }
+            awaited_[exercise].there = now;
             if (asked_.erase(exercise) > 0) hindered_.erase(exercise); // it is made
             if (!desks_.contains(exercise)) desks_[exercise] = std::make_unique<Desk>(readers_, exercise);
             if (each.from && is_ready(found_.at(exercise).exercise))
@@ -141,6 +148,7 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
     const auto unwanted = [&](const auto& each) { return !wanted.contains(each.first); };
     std::erase_if(desks_, unwanted);
     std::erase_if(asked_, unwanted);
+    std::erase_if(awaited_, unwanted);
     std::erase_if(going_on_, unwanted);
     std::erase_if(given_, unwanted);
     std::erase_if(recordings_, unwanted);
@@ -180,6 +188,15 @@ bool ClassRuns::at_their_moment(const TrainingClass& of) const {
         const auto found = found_.find(exercise);
         return found != found_.end() && !is_ready(found->second.exercise);
     });
+}
+
+/// A server that was lost takes up what it has kept when it is started again, and tells of it then. One of
+/// that name that another server made meanwhile would give way to it, and end in the trainee's eyes.
+bool ClassRuns::may_be_kept(const std::string& exercise, gateway::Clock::time_point now) {
+    const Awaited& awaited = awaited_.try_emplace(exercise, Awaited{.since = now}).first->second;
+    const bool server_came = newest_server_ >= awaited.since && now - newest_server_ < kTakesUp;
+    const bool was_there = awaited.there != gateway::Clock::time_point{} && now - awaited.there < kTakesUp;
+    return server_came || was_there;
 }
 
 /// On the server that has the fewest, with those that it was asked for.

@@ -6,6 +6,7 @@
 #include "station/gateway/gateway.hpp"
 
 #include <deque>
+#include <set>
 
 namespace windlass::door {
 
@@ -63,11 +64,16 @@ private:
         std::string server;
         gateway::Clock::time_point at;
     };
+    struct Awaited {
+        gateway::Clock::time_point since;      // it was opened, or this door begun
+        gateway::Clock::time_point there = {}; // when it was told of last
+    };
     struct Found {
         std::string server;
         ClassroomExercise exercise;
     };
-    void listen();
+    void listen(gateway::Clock::time_point now);
+    bool may_be_kept(const std::string& exercise, gateway::Clock::time_point now);
     void record(const TrainingClass& of, const std::string& exercise);
     void go_on(const Moment& from, const std::string& exercise, gateway::Clock::time_point now);
     void create(const std::string& exercise, const TrainingClass& of, gateway::Clock::time_point now);
@@ -78,7 +84,10 @@ private:
     gateway::Gateway& instructor_;
     const gateway::SharedReaders readers_;
     std::vector<ClassroomStatus> servers_;
+    std::set<std::string> heard_servers_;
+    gateway::Clock::time_point newest_server_{};                 // when the last of them was heard first
     std::map<std::string, Found> found_;                         // by exercise
+    std::map<std::string, Awaited> awaited_;                     // by exercise, of classes
     std::map<std::string, std::unique_ptr<Desk>> desks_;         // by exercise, of classes
     std::map<std::string, Asked> asked_;                         // to be created, by exercise
     std::map<std::string, gateway::Clock::time_point> going_on_; // by exercise: when it was asked to

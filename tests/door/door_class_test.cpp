@@ -182,17 +182,17 @@ TEST_F(Class, RecordingsEndWholeWithTheDoorAndBeginAnewWithTheNext) {
 }
 
 /// The same with a server that keeps its exercises on disk.
-class KeptClass : public DoorRig {
+class KeptClass : public DoorRig, public testing::WithParamInterface<const char*> {
 protected:
     std::unique_ptr<ServerProcess> start_server() const {
         auto options = domain();
         options.insert(options.end(), {"--classroom", "--config-root", WINDLASS_CONFIG_DIR, "--keep",
-                                       (folder_ / "kept").string()});
+                                       (folder_ / "kept").string(), "--workers", GetParam()});
         return std::make_unique<ServerProcess>(std::move(options));
     }
 };
 
-TEST_F(KeptClass, StandsWhereItStoodWhenItsServerWasKilledAndIsStartedTogetherAgain) {
+TEST_P(KeptClass, StandsWhereItStoodWhenItsServerWasKilledAndIsStartedTogetherAgain) {
     auto server = start_server();
     const std::string code = open_class("mon", 2, 1);
     const auto all = [this](auto is) {
@@ -216,11 +216,16 @@ TEST_F(KeptClass, StandsWhereItStoodWhenItsServerWasKilledAndIsStartedTogetherAg
         return all([&](const auto& each) { return each["state"] == RUN_PAUSED && each["time"] > then - 1; });
     })) << class_told("mon")
         << server->text();
+    EXPECT_EQ(server->text().find("already"), std::string::npos)
+        << "nor by one worker before another had taken it up: " << server->text();
     auto page = ben.open("page=forecastle");
     EXPECT_TRUE(eventually([&] { return !page->samples("ForecastleView").empty(); }));
     give("start");
     EXPECT_TRUE(eventually([&] { return all([&](const auto& each) { return each["time"] > then + 1; }); }));
 }
+
+INSTANTIATE_TEST_SUITE_P(Of, KeptClass, testing::Values("0", "2"),
+                         [](const auto& workers) { return std::string(workers.param) + "Workers"; });
 
 } // namespace
 } // namespace windlass::test
