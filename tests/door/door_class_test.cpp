@@ -210,6 +210,11 @@ TEST_P(KeptClass, StandsWhereItStoodWhenItsServerWasKilledAndIsStartedTogetherAg
     const double then = class_told("mon")["exercises"][0]["time"];
     server->signal(SIGKILL);
     EXPECT_EQ(server->exit_code(), -1);
+    // One that has room and knows nothing of them is there before their own.
+    auto other = domain();
+    other.insert(other.end(), {"--classroom", "--config-root", WINDLASS_CONFIG_DIR, "--name", "other"});
+    const ServerProcess beside(std::move(other));
+    pace(std::chrono::seconds(8)); // by which the lost one is no longer counted
     server = start_server();
     // Never made anew by the door: their time would be 0.
     EXPECT_TRUE(eventually([&] {
