@@ -65,7 +65,7 @@ private:
         gateway::Clock::time_point at;
     };
     struct Awaited {
-        gateway::Clock::time_point since;      // it was opened, or this door begun
+        gateway::Clock::time_point since;      // it was first not there
         gateway::Clock::time_point there = {}; // when it was told of last
     };
     struct Found {

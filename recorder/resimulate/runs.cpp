@@ -46,6 +46,20 @@ void put_in_order(Run& run) {
     run.orders.erase(std::unique(run.orders.begin(), run.orders.end(), same_number), run.orders.end());
 }
 
+/// An event of the server's, that it has taken an exercise up.
+struct TakenUp {
+    std::uint64_t tick = 0;
+    recording::Nanoseconds log_time = 0;
+};
+
+/// It is the second run's: at the state with which that begins, and told when all of the first had been.
+bool is_between(const TakenUp& event, const Run& before, const Run& run) {
+    const Mark* const begins = run.first_checkpoint();
+    const auto last = std::ranges::max(before.marks, {}, &Mark::log_time);
+    return begins != nullptr && begins->orders_taken == 0 && event.tick == begins->tick &&
+           event.log_time >= last.log_time;
+}
+
 } // namespace
 
 const Mark* Run::checkpoint_before(double time) const {
@@ -62,19 +76,6 @@ bool Run::covers(double time) const {
 const Mark* Run::first_checkpoint() const {
     const auto found = std::ranges::find(marks, true, &Mark::checkpoint);
     return found == marks.end() ? nullptr : &*found;
-}
-
-/// An event of the server's, that it has taken an exercise up.
-struct TakenUp {
-    std::uint64_t tick = 0;
-    recording::Nanoseconds log_time = 0;
-};
-
-/// It is the second run's: at the state with which that begins, and told when all of the first had been.
-bool is_between(const TakenUp& event, const Run& before, const Run& run) {
-    const Mark* const begins = run.first_checkpoint();
-    const auto last = std::ranges::max(before.marks, {}, &Mark::log_time);
-    return begins != nullptr && event.tick == begins->tick && event.log_time >= last.log_time;
 }
 
 std::vector<Run> runs_of(recording::Recording& recording) {

@@ -31,8 +31,6 @@ void put_behind(whatif::Attempt& attempt, recording::Recording& recording, const
                 std::uint64_t orders_before) {
     const Mark* const first = run.first_checkpoint();
     if (first == nullptr) throw Gap("no Checkpoint of the run is in the recording");
-    if (!attempt.checkpoints.empty() && first->orders_taken > 0)
-        throw Gap("the state in which the exercise was taken up is not in the recording");
     const auto before_end = [&](const Mark& mark) {
         return mark.tick <= end.tick && mark.orders_taken <= end.last_order;
     };

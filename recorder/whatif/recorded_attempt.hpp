@@ -8,8 +8,8 @@
 
 namespace windlass::recorder {
 
-/// An attempt (attempts_of()) from its first checkpoint on. Throws Gap where an order is missing, or the
-/// state in which it was taken up; mcap::Damage where a checkpoint cannot be read.
+/// An attempt (attempts_of()) from its first checkpoint on. Throws Gap where an order is missing,
+/// mcap::Damage where a checkpoint cannot be read.
 whatif::Attempt recorded_attempt(recording::Recording& recording, std::span<const Run> runs);
 
 /// The scripts of the lesson's model run, as the lesson names them; empty: no lesson, or none named. Throws

@@ -42,8 +42,8 @@ private:
     std::vector<exercise::Order> ordered_; // by the lesson, in the last step
 };
 
-/// An attempt as it begins. seed: of its lesson's chances (assess::State::seed). Throws std::runtime_error
-/// when the exercise cannot be set up.
+/// An attempt as it begins. seed: of its lesson's chances (assess::State::seed). Throws std::exception when
+/// the exercise cannot be set up.
 Course beginning_of(const exercise::ExerciseDef& def, std::int64_t seed);
 
 /// From a checkpoint of this program's own, which was checked as it came in. Throws

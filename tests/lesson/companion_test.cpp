@@ -224,6 +224,17 @@ TEST(ModelBeside, WhatALessonBringsIsNoIntervention) {
     }
 }
 
+TEST(ModelBeside, IsNotToBeHadWithoutItsScriptsAModelRunOrAnExercise) {
+    const exercise::ExerciseDef def = for_practice("L01_let_go_25m.json");
+    EXPECT_NO_THROW(model_beside({.def = def, .seed = 0}, kConfig));
+    EXPECT_THROW(model_beside({.def = def, .seed = 0}, "/nowhere"), std::exception);
+    exercise::ExerciseDef no_lesson = def, no_tackle = def;
+    no_lesson.lesson.clear();
+    EXPECT_THROW(model_beside({.def = no_lesson, .seed = 0}, kConfig), std::exception);
+    no_tackle.tackle.clear();
+    EXPECT_THROW(model_beside({.def = no_tackle, .seed = 0}, kConfig), std::exception);
+}
+
 TEST_F(CompanionTest, AHintComesAndIsCounted) {
     run_to(2);
     ask(assess::AidKind::hint);

@@ -5,6 +5,19 @@
 #include <gtest/gtest.h>
 
 namespace windlass::assess {
+namespace {
+
+/// The bridge gives the first order that is due, at 1 s and to be repeated within ten.
+void give_first(Course& course, exercise::BridgeOrderState state, double do_by = 0) {
+    course.seen().bridge_orders.push_back({.number = 1,
+                                           .time = 1,
+                                           .repeat_by = 11,
+                                           .do_by = do_by,
+                                           .given = std::get<exercise::BridgeOrderGiven>(course.due.at(0)),
+                                           .state = state});
+}
+
+} // namespace
 
 TEST(Assessment, LessonGivesItsOrdersInTheirSequence) {
     Course course(lesson(
@@ -34,12 +47,7 @@ TEST(Assessment, OrderRepeatedWronglyAndDoneLateKeepsHalf) {
     course.windlass().clutch = exercise::ClutchState::out;
     course.run(1);
     ASSERT_EQ(course.due.size(), 1u);
-    course.seen().bridge_orders.push_back({.number = 1,
-                                           .time = 1,
-                                           .repeat_by = 11,
-                                           .do_by = 21,
-                                           .given = std::get<exercise::BridgeOrderGiven>(course.due[0]),
-                                           .state = exercise::BridgeOrderState::misrepeated});
+    give_first(course, exercise::BridgeOrderState::misrepeated, 21);
     course.run(2);
     course.seen().bridge_orders[0].state = exercise::BridgeOrderState::repeated;
     course.run(38); // 40 s after it was given: twice as long as he had
@@ -93,11 +101,7 @@ TEST(Assessment, OrderThatIsNeverRepeatedSaysSo) {
                          R"(, "orders": [{"id": "in", "code": "gear_in"}])"));
     course.run(1);
     ASSERT_EQ(course.due.size(), 1u);
-    course.seen().bridge_orders.push_back({.number = 1,
-                                           .time = 1,
-                                           .repeat_by = 11,
-                                           .given = std::get<exercise::BridgeOrderGiven>(course.due[0]),
-                                           .state = exercise::BridgeOrderState::not_repeated});
+    give_first(course, exercise::BridgeOrderState::not_repeated);
     course.run(1);
     course.windlass().clutch = exercise::ClutchState::in;
     course.run(20);
@@ -114,11 +118,7 @@ TEST(Assessment, OrderForWhatIsSoAlreadyEarnsNothingByItself) {
     course.windlass().clutch = exercise::ClutchState::in;
     course.run(1);
     ASSERT_EQ(course.due.size(), 1u);
-    course.seen().bridge_orders.push_back({.number = 1,
-                                           .time = 1,
-                                           .repeat_by = 11,
-                                           .given = std::get<exercise::BridgeOrderGiven>(course.due[0]),
-                                           .state = exercise::BridgeOrderState::not_repeated});
+    give_first(course, exercise::BridgeOrderState::not_repeated);
     course.run(20);
     course.end();
     EXPECT_EQ(course.mark().reason,
