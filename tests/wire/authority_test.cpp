@@ -237,7 +237,10 @@ TEST_F(Authority, InstructorHearsWhoHasTheLeversInsteadAndEndsWithCode1) {
 
 TEST_F(Authority, InstructorFromWhomTheLeversAreTakenSaysByWhomAndEndsWithCode1) {
     ChildProcess instructor(this->instructor({"--duration", "60"}));
-    ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << instructor.text();
+    // He himself has to have heard that he had them: the onlooker hears it first on a busy machine.
+    ASSERT_TRUE(eventually([&] {
+        return instructor.text().find("instructor has the port windlass") != std::string::npos;
+    })) << instructor.text();
     const HoldingTrainee examiner(session("examiner"), station::Seat::instructor, 30);
     EXPECT_EQ(instructor.exit_code(), 1) << instructor.text();
     EXPECT_THAT(instructor.text(), HasSubstr("examiner has taken the port windlass"));
