@@ -91,7 +91,7 @@ struct Foreseen {
     Event event;          ///< of the branch, as the first told it; its time is when it would come
 };
 
-/// How much somebody did.
+/// How much somebody did; levers that go on the same way, as a wheel that is spun open, are moved once.
 struct Hand {
     int windlass = 0, helm = 0, orders = 0, reports = 0, others = 0;
 };

@@ -37,15 +37,18 @@ void add_to(std::vector<Series>& series, std::span<const Curve<From>> curves, co
         series[i].add(sample.time(), curves[i].of(sample));
 }
 
-bool same_levers(const WindlassCommand& a, const WindlassCommand& b) {
-    return a.brake() == b.brake() && a.speed_lever() == b.speed_lever() && a.clutch_in() == b.clutch_in() &&
-           a.stopper_closed() == b.stopper_closed() && a.emergency_stop() == b.emergency_stop();
+int way_of(double from, double to) {
+    return (to > from) - (to < from);
 }
-
-/// A hand on the helm speaks many times a second; what it says anew is a move.
-bool same_helm(const HelmCommand& a, const HelmCommand& b) {
-    return a.engine() == b.engine() && a.rudder() == b.rudder() && a.bow_thruster() == b.bow_thruster() &&
-           a.stern_thruster() == b.stern_thruster();
+/// All zero: a hand says again where its levers stand, which it does many times a second.
+Way way_of(const WindlassCommand& a, const WindlassCommand& b) {
+    return {way_of(a.brake(), b.brake()), way_of(a.speed_lever(), b.speed_lever()),
+            way_of(a.clutch_in(), b.clutch_in()), way_of(a.stopper_closed(), b.stopper_closed()),
+            way_of(a.emergency_stop(), b.emergency_stop())};
+}
+Way way_of(const HelmCommand& a, const HelmCommand& b) {
+    return {way_of(a.engine(), b.engine()), way_of(a.rudder(), b.rudder()),
+            way_of(a.bow_thruster(), b.bow_thruster()), way_of(a.stern_thruster(), b.stern_thruster())};
 }
 
 } // namespace
@@ -245,6 +248,15 @@ void AttemptReader::add(const Assessment& assessment) {
         attempt_.assessment = assessment;
 }
 
+bool AttemptReader::Stroke::begins(const std::string& by, double time, const Way& way) {
+    constexpr double kRest = 0.5; // s; a station sends levers that move every 0.05 s, a slow one each 0.1
+    const bool goes_on = by == hand && time - last < kRest && way == towards;
+    hand = by;
+    last = time;
+    towards = way;
+    return !goes_on;
+}
+
 void AttemptReader::add(const OrderTaken& order) {
     if (!ours(order.run())) return;
     const double time = attempt_.time_of(order.tick());
@@ -256,10 +268,11 @@ void AttemptReader::add(const OrderTaken& order) {
     case ORDER_TAKEN_WINDLASS: {
         const WindlassCommand& command = order.windlass();
         if (!side_exists(command.side())) return;
-        auto& before = sides_[static_cast<std::size_t>(command.side())].levers;
-        if (before && same_levers(*before, command)) return;
-        before = command;
-        count(&Hand::windlass);
+        OfSide& side = sides_[static_cast<std::size_t>(command.side())];
+        const auto way = way_of(side.levers.value_or(WindlassCommand()), command);
+        if (side.levers && way == Way{}) return;
+        side.levers = command;
+        if (side.stroke.begins(by, time, way)) count(&Hand::windlass);
         if (by != "server") attempt_.lever_moves.push_back({time, command.side(), by});
         return;
     }
@@ -274,10 +287,13 @@ void AttemptReader::add(const OrderTaken& order) {
     case ORDER_TAKEN_WATCH_CIRCLE:
         attempt_.watch = order.watch_circle().kept() ? std::optional(order.watch_circle()) : std::nullopt;
         return count(&Hand::others);
-    case ORDER_TAKEN_HELM:
-        if (!helm_ || !same_helm(*helm_, order.helm())) count(&Hand::helm);
+    case ORDER_TAKEN_HELM: {
+        const auto way = way_of(helm_.value_or(HelmCommand()), order.helm());
+        if (helm_ && way == Way{}) return;
         helm_ = order.helm();
+        if (helm_stroke_.begins(by, time, way)) count(&Hand::helm);
         return;
+    }
     case ORDER_TAKEN_BRIDGE_ORDER:
         return count(&Hand::orders);
     default:

@@ -6,6 +6,9 @@
 
 namespace windlass::debrief {
 
+/// Of each lever of a windlass or the helm which way it goes: -1, 0, 1.
+using Way = std::array<int, 5>;
+
 class AttemptReader {
 public:
     /// The attempt's run, beginning and end are known already. interval: s, of its curves.
@@ -42,15 +45,26 @@ private:
     /// Whether a stream's sample comes after those before it, and lies in the run.
     bool in_order(double time, double& last) const;
 
+    /// One move of levers, in many orders: the same hand, the same way, without a rest.
+    struct Stroke {
+        /// Whether it is another that this order begins. time: s.
+        bool begins(const std::string& by, double time, const Way& way);
+        std::string hand;
+        double last = -1e9; ///< s, of its last order
+        Way towards{};
+    };
+
     Attempt& attempt_;
     struct OfSide {
         double load = -1e9, chain = -1e9, anchor = -1e9; ///< time of the last sample
         double tension = 0;
         std::optional<WindlassLoad> first;
         std::optional<WindlassCommand> levers;
+        Stroke stroke;
     };
     std::array<OfSide, 2> sides_;
     std::optional<HelmCommand> helm_;
+    Stroke helm_stroke_;
     double ship_ = -1e9, air_ = -1e9;
     double interval_; ///< s, of the series
 };

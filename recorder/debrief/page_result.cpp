@@ -47,14 +47,15 @@ std::string hands_words(const Attempt& attempt) {
     std::string text;
     for (const auto& [name, hand] : attempt.hands) {
         std::string did;
-        const auto add = [&](int count, const char* what) {
-            if (count > 0) did += fmt::format("{}{} {}", did.empty() ? "" : ", ", count, what);
+        const auto add = [&](int count, const char* one, const char* many) {
+            if (count > 0)
+                did += fmt::format("{}{} {}", did.empty() ? "" : ", ", count, count == 1 ? one : many);
         };
-        add(hand.windlass, "moves of the windlass");
-        add(hand.helm, "of the helm");
-        add(hand.orders, "orders");
-        add(hand.reports, "reports");
-        add(hand.others, "other orders to the exercise");
+        add(hand.windlass, "move of the windlass", "moves of the windlass");
+        add(hand.helm, "move of the helm", "moves of the helm");
+        add(hand.orders, "order", "orders");
+        add(hand.reports, "report", "reports");
+        add(hand.others, "other order to the exercise", "other orders to the exercise");
         text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", name, did);
     }
     return text;

@@ -323,6 +323,38 @@ TEST(DebriefTest, OneGoesBackToTheFirstMustThatWasMissedButNotToTheEndOfTheTime)
     EXPECT_EQ(back_to(), "secured") << "broken off by what went wrong then";
 }
 
+// A wheel that is spun open is sent twenty times a second, and the station repeats where its levers stand.
+TEST(DebriefTest, LeversThatGoOnTheSameWayAreMovedOnce) {
+    Attempt attempt;
+    AttemptReader reader(attempt, 1);
+    attempt.dt = 0.01;
+    std::uint64_t tick = 0;
+    const auto brake = [&](const char* by, double at, std::uint64_t ticks_later) {
+        OrderTaken order;
+        order.tick(tick += ticks_later);
+        order.source() = by;
+        order.kind(ORDER_TAKEN_WINDLASS);
+        order.windlass().brake(at);
+        reader.add(order);
+    };
+    const auto moves = [&](const char* by) { return attempt.hands[by].windlass; };
+    brake("ben", 1, 0);
+    for (int i = 1; i <= 20; ++i) {
+        brake("ben", 1 - i / 20.0, 5);
+        brake("ben", 1 - i / 20.0, 1);
+    }
+    EXPECT_EQ(moves("ben"), 2) << "taken in hand, and opened";
+    for (int i = 1; i <= 10; ++i)
+        brake("ben", i / 20.0, 5);
+    EXPECT_EQ(moves("ben"), 3) << "and screwed on at once";
+    brake("ben", 0.6, 100);
+    EXPECT_EQ(moves("ben"), 4) << "and after a rest";
+    brake("anna", 0.7, 5);
+    EXPECT_EQ(moves("ben"), 4);
+    EXPECT_EQ(moves("anna"), 1);
+    EXPECT_EQ(attempt.lever_moves.size(), 33U) << "the strip under the plots has each";
+}
+
 TEST(DebriefTest, WhatTheInstructorWasShownAheadIsTold) {
     Attempt attempt;
     AttemptReader reader(attempt, 1);
