@@ -145,12 +145,21 @@ History::History(const wire::TopicInfo& topic, bool many_writers, bool with_past
       past_(with_past ? past_of(topic) : PastBounds{}),
       instances_(static_cast<std::size_t>(topic.instances)),
       many_writers_(many_writers || !topic.from_server),
-      ages_(many_writers) {}
+      ages_(many_writers),
+      is_log_(topic.transient_local && topic.depth > 1 && !topic.keyed) {}
+
+void History::begin_server_at(double time) {
+    if (!(time > 0)) return instances_kept_.clear();
+    for (auto& [key, instance] : instances_kept_) {
+        instance.past.back_to(time);
+        std::erase_if(instance.newest, [&](const Kept& one) { return !is_log_ || one.frame->time > time; });
+    }
+}
 
 void History::keep(const FramePtr& frame, const std::string& writer, Clock::time_point now) {
     if (depth_ == 0 && past_.frames == 0) return;
     if (!many_writers_ && writer != writer_) {
-        instances_kept_.clear();
+        begin_server_at(frame->time);
         writer_ = writer;
     }
     if (!instances_kept_.contains(frame->instance) && instances_kept_.size() == instances_) {

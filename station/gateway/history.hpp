@@ -80,8 +80,10 @@ public:
     /// not end what others said; such samples grow old. with_past: as past_of() the topic has it.
     explicit History(const wire::TopicInfo& topic, bool many_writers = false, bool with_past = true);
 
-    /// writer: tells one server from the next. What another wrote is forgotten; what clients say is theirs
-    /// together.
+    /// writer: tells one server from the next. States that another wrote are forgotten. What it told of what
+    /// has happened, and the past, stay up to the moment of this frame, with which the next one begins: an
+    /// exercise that is taken up after its server was lost goes on from there, any other begins at 0 and
+    /// has nothing before it. What clients say is theirs together.
     void keep(const FramePtr& frame, const std::string& writer, Clock::time_point now);
 
     /// As Past's.
@@ -102,11 +104,14 @@ private:
         Past past;
         std::uint64_t number = 0; ///< of its last sample
     };
+    void begin_server_at(double time);
+
     const std::size_t depth_; ///< of each instance's newest; 0: none is kept
     const PastBounds past_;
     const std::size_t instances_; ///< at most
     const bool many_writers_;     ///< that do not end what others said
     const bool ages_;             ///< what is old is told to nobody
+    const bool is_log_;           ///< tells what has happened, each thing once
     std::string writer_;
     std::uint64_t taken_ = 0;
     std::map<std::string, Instance> instances_kept_;

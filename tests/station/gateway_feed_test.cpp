@@ -273,11 +273,37 @@ TEST(Past, IsBoundedByCountAndByBytes) {
     EXPECT_EQ(small.frames().size(), 3U);
 }
 
-TEST(History, ForgetsWhatAServerSaidThatAnotherFollowed) {
-    History events(topics::event);
-    events.keep(frame(1), "first server", kStart);
-    events.keep(frame(2), "second server", kStart);
-    EXPECT_THAT(marks(events.kept(kStart)), ElementsAre(2));
+TEST(History, ForgetsStatesOfAServerThatAnotherFollowed) {
+    for (const double taken_up : {0, 12}) {
+        History alerts(topics::alert);
+        alerts.keep(at_time(10, "a"), "first server", kStart);
+        alerts.keep(at_time(taken_up, "b"), "second server", kStart);
+        EXPECT_THAT(marks(alerts.kept(kStart)), ElementsAre(taken_up));
+    }
+}
+
+// An exercise that is taken up goes on in the log that it had, and one that begins anew begins a new one.
+TEST(History, OfWhatHappenedGoesOnWhereTheNextServerTakesUpTheExercise) {
+    for (const wire::TopicInfo& topic : std::initializer_list<wire::TopicInfo>{
+             topics::event, topics::seat_event, topics::forecastle_instruction}) {
+        SCOPED_TRACE(topic.name);
+        History log(topic);
+        for (const double time : {0, 3, 8, 9})
+            log.keep(at_time(time), "first server", kStart);
+        log.keep(at_time(8), "second server", kStart);
+        EXPECT_THAT(marks(log.kept(kStart)), ElementsAre(0, 3, 8, 8)) << "9 was lost with its server";
+        log.keep(at_time(20), "second server", kStart);
+        log.keep(at_time(0), "third server", kStart);
+        EXPECT_THAT(marks(log.kept(kStart)), ElementsAre(0)) << "it has not kept the exercise";
+    }
+    History ship(topics::ship_state);
+    for (const int time : {0, 1, 2, 3})
+        ship.keep(at_time(time), "first server", kStart);
+    ship.keep(at_time(2), "second server", kStart);
+    EXPECT_THAT(marks(ship.kept(kStart)), ElementsAre(0, 1, 2, 2))
+        << "so does what is plotted; then the newest";
+    ship.keep(at_time(0), "third server", kStart);
+    EXPECT_THAT(marks(ship.kept(kStart)), ElementsAre(0));
 }
 
 TEST(History, OfTheClassroomHasEveryServerUntilItIsSilent) {
