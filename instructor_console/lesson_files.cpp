@@ -157,14 +157,17 @@ std::vector<fs::path> lesson_files(const fs::path& folder) {
     return files;
 }
 
+bool of_an_accident(std::string_view lesson_id) {
+    return lesson_id.starts_with('A');
+}
+
 std::vector<history::Offered> offered_lessons(const fs::path& folder) {
     std::vector<history::Offered> all;
     for (const fs::path& path : lesson_files(folder)) {
         const LessonFile file = read_lesson_file(path);
         all.push_back({file.lesson.id, file.lesson.title, file.def.name});
     }
-    std::ranges::stable_partition(all,
-                                  [](const history::Offered& each) { return !each.id.starts_with('A'); });
+    std::ranges::stable_partition(all, [](const history::Offered& each) { return !of_an_accident(each.id); });
     return all;
 }
 

@@ -7,6 +7,7 @@
 #include "trainee_client/script.hpp"
 
 #include <filesystem>
+#include <string_view>
 
 namespace windlass::console {
 
@@ -34,6 +35,9 @@ std::vector<std::string> doubts(const LessonFile& file);
 
 /// Exercise files of a folder that have a lesson, by name.
 std::vector<std::filesystem::path> lesson_files(const std::filesystem::path& folder);
+
+/// A lesson of an accident, by its id (A1): for who has done the course, so that lists have it last.
+bool of_an_accident(std::string_view lesson_id);
 
 /// Lessons of a folder in the order in which they are to be done: by name, those made of an accident (A01,
 /// ...) after the others. Throws exercise::ConfigError.

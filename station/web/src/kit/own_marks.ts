@@ -135,9 +135,12 @@ export class OwnMarks {
       section(t("What you did"), did.map(criterionRow)),
       section(t("What you kept"), kept.map(criterionRow)),
       ...neverAs.map((said) =>
-        section(capital(said), [
-          h("li", {}, never.flatMap((one) => (stateSaid(one) === said ? spaced(one.code) : [])).join(", ")),
-        ]),
+        section(
+          capital(said),
+          never
+            .filter((one) => stateSaid(one) === said)
+            .map((one) => h("li", {}, capital(spaced(one.code)), whyItMatters(one))),
+        ),
       ),
       section(
         t("What was to be learnt"),
@@ -206,6 +209,9 @@ function criterionRow(criterion: Criterion): HTMLElement {
     { "data-met": criterion.met ? "" : undefined },
     `${capital(spaced(criterion.code))}${criterion.must ? ` ${t("(must)")}` : ""}: ${points}`,
     criterion.reason && h("span", {}, inChosenUnits(criterion.reason)),
-    criterion.text && h("span", { class: "quiet" }, inChosenUnits(criterion.text)),
+    whyItMatters(criterion),
   );
 }
+
+const whyItMatters = ({ text }: Criterion): HTMLElement | string =>
+  text && h("span", { class: "quiet" }, inChosenUnits(text));
