@@ -66,6 +66,13 @@ std::optional<ClassroomExercise> ClassRuns::told(const std::string& exercise) co
     return found == found_.end() ? std::nullopt : std::optional(found->second.exercise);
 }
 
+std::optional<ClassroomExercise> ClassRuns::lost(const std::string& exercise) const {
+    const auto awaited = awaited_.find(exercise);
+    const bool was_there = awaited != awaited_.end() && awaited->second.there != gateway::Clock::time_point{};
+    if (!was_there || found_.contains(exercise) || asked_.contains(exercise)) return std::nullopt;
+    return awaited->second.last;
+}
+
 ClassRuns::Desk::Desk(const gateway::SharedReaders& readers, const std::string& exercise)
     : feed{readers,
            wire::exercise_partition(exercise),
@@ -135,7 +142,9 @@ void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::
                 if (!may_be_kept(exercise, now)) create(exercise, each, now);
                 continue;
             }
-            awaited_[exercise].there = now;
+            Awaited& awaited = awaited_[exercise];
+            awaited.there = now;
+            awaited.last = found_.at(exercise).exercise;
             if (asked_.erase(exercise) > 0) hindered_.erase(exercise); // it is made
             if (!desks_.contains(exercise)) desks_[exercise] = std::make_unique<Desk>(readers_, exercise);
             if (each.from && is_ready(found_.at(exercise).exercise))

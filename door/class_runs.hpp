@@ -35,6 +35,9 @@ public:
 
     /// As servers tell it; nothing: there is none of that name yet.
     std::optional<ClassroomExercise> told(const std::string& exercise) const;
+    /// As it was told last by a server that is not heard now: it is back with that server, where that one
+    /// keeps its exercises. Nothing: it never was there, or is made anew.
+    std::optional<ClassroomExercise> lost(const std::string& exercise) const;
     /// What came of an exercise so far, as it was heard last: recording and marks.
     Result result(const std::string& exercise) const;
     /// Why an exercise is not there yet, does not stand at its moment, or is not recorded; empty: nothing is
@@ -67,6 +70,7 @@ private:
     struct Awaited {
         gateway::Clock::time_point since;      // it was first not there
         gateway::Clock::time_point there = {}; // when it was told of last
+        ClassroomExercise last = {};           // as it was told then
     };
     struct Found {
         std::string server;

@@ -467,9 +467,11 @@ json DoorHost::class_told(const TrainingClass& told) {
                   {"points", result.points ? json(*result.points) : json()},
                   {"outcome", result.outcome},
                   {"trouble", runs_.trouble(exercise)}};
-        if (const auto heard = runs_.told(exercise)) {
-            each["state"] = static_cast<int>(heard->state());
-            each["time"] = heard->time();
+        const auto heard = runs_.told(exercise);
+        each["heard"] = heard.has_value();
+        if (const auto last = heard ? heard : runs_.lost(exercise)) {
+            each["state"] = static_cast<int>(last->state());
+            each["time"] = last->time();
         }
         exercises.push_back(std::move(each));
     }

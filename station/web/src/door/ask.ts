@@ -96,9 +96,11 @@ export interface Seat {
 
 export interface ClassExercise {
   exercise: string;
-  /** RunState; null: no server has it yet. */
+  /** RunState, as it was told last; null: no server has it yet. */
   state: RunState | null;
   time: number;
+  /** A server tells of it now: else it was lost with its server, or is being made. */
+  heard: boolean;
   seats: Seat[];
   /** Its recording's name; empty: none was made. */
   recording: string;

@@ -27,7 +27,9 @@ import { qr } from "./qr";
 import { toAll } from "./to_all";
 import { t, translated } from "../kit/language";
 
-const kNoServer = t("No server is heard: exercises are made as soon as there is one");
+const kNoServer = t(
+  "No server is heard. What it has kept is back with it where it stood; what it has not is made then.",
+);
 const kLook = 1000; // ms
 const kKiosks = "/"; // among the tabs; no class is called so
 const kHttps = 443; // which no address names
@@ -280,6 +282,7 @@ class ClassPage {
   private showExercise(each: ClassExercise): void {
     const tile = this.tiles.get(each.exercise);
     if (!tile) return;
+    tile.state.toggleAttribute("data-lost", each.state !== null && !each.heard);
     setText(tile.state, each.points === null ? stateOf(each) : `${stateOf(each)}, ${marksOf(each)}`);
     setText(tile.trouble, each.trouble);
     const seats = each.seats.map((seat) => ({ ...seat, doing: doing(each, seat) }));
@@ -314,14 +317,17 @@ const kSilent = 60; // s, from which it is told for how long a hand has done not
 const kSilentStep = 10; // s, in which it is told
 
 /** What is known of who sits there; of who only watches, no more than that. */
-function doing({ state }: ClassExercise, { place, here, silent }: Seat): string {
+function doing({ state, heard }: ClassExercise, { place, here, silent }: Seat): string {
   if (!here) return t("away");
-  if (state !== RunState.RUN_RUNNING || place === "watch" || silent === null || silent < kSilent) return t("at work");
+  if (!heard || state !== RunState.RUN_RUNNING || place === "watch" || silent === null || silent < kSilent)
+    return t("at work");
   return t("silent {time}", { time: clock(kSilentStep * Math.floor(silent / kSilentStep)) });
 }
 
-function stateOf({ state, time }: ClassExercise): string {
-  return state === null ? t("is being made") : `${runStateWords(state)} ${clock(time)}`;
+function stateOf({ state, time, heard }: ClassExercise): string {
+  if (state === null) return t("is being made");
+  const then = `${runStateWords(state)} ${clock(time)}`;
+  return heard ? then : t("not heard, was {then}", { then });
 }
 
 export async function makeClass(): Promise<void> {
