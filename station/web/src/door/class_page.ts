@@ -283,7 +283,8 @@ class ClassPage {
     const tile = this.tiles.get(each.exercise);
     if (!tile) return;
     tile.state.toggleAttribute("data-lost", each.state !== null && !each.heard);
-    setText(tile.state, each.points === null ? stateOf(each) : `${stateOf(each)}, ${marksOf(each)}`);
+    const begun = each.points !== null && each.state !== RunState.RUN_READY;
+    setText(tile.state, begun ? `${stateOf(each)}, ${marksOf(each)}` : stateOf(each));
     setText(tile.trouble, each.trouble);
     const seats = each.seats.map((seat) => ({ ...seat, doing: doing(each, seat) }));
     this.fill(tile.seats, [seats.map(({ place, name, doing: it }) => [place, name, it]), this.mover], () =>
