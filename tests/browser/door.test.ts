@@ -236,6 +236,10 @@ test("with the class its seats end, and each seat's marks and debriefing are the
     /for practice.*not (yet|shown)/.test(await row.locator(".next").textContent()),
   );
   await look(owner, "class_over");
+  await owner.setViewportSize({ width: 390, height: 844 });
+  await look(owner, "class_over_390");
+  assert.equal(await beyond(owner), 0);
+  await owner.setViewportSize({ width: 1280, height: 800 });
   await passesAxe(owner);
   const link = row.getByRole("link", { name: "Debriefing" });
   const [debriefing] = await Promise.all([owner.waitForEvent("popup"), link.click()]);

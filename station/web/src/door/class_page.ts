@@ -327,8 +327,8 @@ function doing({ state, heard }: ClassExercise, { place, here, silent }: Seat): 
 
 function stateOf({ state, time, heard }: ClassExercise): string {
   if (state === null) return t("is being made");
-  const then = `${runStateWords(state)} ${clock(time)}`;
-  return heard ? then : t("not heard, was {then}", { then });
+  const last = `${runStateWords(state)} ${clock(time)}`;
+  return heard ? last : t("not heard, was {last}", { last });
 }
 
 export async function makeClass(): Promise<void> {
