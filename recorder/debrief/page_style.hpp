@@ -22,6 +22,7 @@ dd { margin: 0; overflow-wrap: anywhere; }
 .score { font-size: 1.5rem; font-weight: 700; margin: .3rem 0; }
 .warning { border: 2px solid #111; padding: .4rem .6rem; }
 .wide { overflow-x: auto; }
+.wide a { white-space: nowrap; }
 .wide + .wide { margin-top: 1rem; }
 .wide:focus-visible, a:focus-visible, summary:focus-visible { outline: 3px solid #00418a; outline-offset: 2px; }
 table { border-collapse: collapse; width: 100%; font-size: .9rem; }

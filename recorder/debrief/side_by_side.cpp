@@ -82,7 +82,7 @@ std::string heading(const Figure& figure) {
 }
 
 std::string results_part(const Class& of) {
-    std::vector<std::string> columns{"no.", "who", "what it means"};
+    std::vector<std::string> columns{"no.", "who", "outcome"};
     std::vector<std::map<std::string, Figure>> figures(of.size());
     std::vector<std::string> order; // of what at least one has
     for (std::size_t i = 0; i < of.size(); ++i)
