@@ -47,7 +47,8 @@ before(async () => {
   code = (await owner.locator(".code-panel .letters").textContent()).replace(/ /g, "");
   await eventually("both exercises are there", async () => {
     const all = await states();
-    return all.length === 2 && all.every((state) => state.startsWith("ready"));
+    if (all.length === 2 && all.every((state) => state.startsWith("ready"))) return true;
+    throw new Error(`${await owner.locator("main").innerText()}\nserver: ${server.errors}\ndoor: ${door.errors}`);
   });
   deck = await openPage(`${door.url}?code=${code}`, tls);
   await deck.locator("input[name=name]").fill("ben");
