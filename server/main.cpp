@@ -64,14 +64,6 @@ exercise::ExerciseDef load(const Options& options, const std::filesystem::path& 
                                        : config::load_exercise(file, options.config_root);
 }
 
-/// Where the exercises are that an instructor may load.
-std::filesystem::path exercise_folder(const Options& options) {
-    if (!options.config_root.empty()) return options.config_root / "exercises";
-    for (const auto& one : options.exercises)
-        if (!one.file.empty()) return one.file.parent_path();
-    return std::filesystem::path("config") / "exercises";
-}
-
 std::filesystem::path config_root(const Options& options) {
     return options.config_root.empty() ? exercise_folder(options).parent_path() : options.config_root;
 }

@@ -176,6 +176,14 @@ std::variant<Options, int> read_options(int argc, char** argv) {
     return options;
 }
 
+std::filesystem::path exercise_folder(const Options& options) {
+    if (!options.exercise_folder.empty()) return options.exercise_folder;
+    if (!options.config_root.empty()) return options.config_root / "exercises";
+    for (const auto& one : options.exercises)
+        if (!one.file.empty()) return one.file.parent_path();
+    return std::filesystem::path("config") / "exercises";
+}
+
 std::vector<Options> shares(const Options& options, const std::map<std::string, unsigned>& kept) {
     std::vector<Options> all(options.workers, options);
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
@@ -185,6 +193,7 @@ std::vector<Options> shares(const Options& options, const std::map<std::string, 
     for (unsigned k = 0; k < options.workers; ++k) {
         Options& one = all[k];
         one.workers = 0;
+        one.exercise_folder = exercise_folder(options);
         one.exercises.clear();
         one.name = fmt::format("{}-{}", options.name, k + 1);
         if (!options.keep.empty()) one.keep = keep::folder_of_worker(options.keep, k + 1);

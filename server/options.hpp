@@ -30,9 +30,10 @@ struct Options {
         std::string id;
     };
     std::vector<Exercise> exercises;
-    std::filesystem::path config_root; ///< empty: two folders above the exercise file, else ./config
-    bool classroom = false;            ///< begin with none
-    std::string name;                  ///< of the server; empty: made of host and process
+    std::filesystem::path config_root;     ///< empty: two folders above the exercise file, else ./config
+    std::filesystem::path exercise_folder; ///< of a worker: the whole server's; else empty
+    bool classroom = false;                ///< begin with none
+    std::string name;                      ///< of the server; empty: made of host and process
     int domain = 0;
     unsigned workers = 0;          ///< processes that share the exercises; 0: this one has them
     unsigned worker_memory_mb = 0; ///< of each, at most; 0: any
@@ -49,6 +50,10 @@ struct Options {
     wire::Network network;
     std::string log_level = "info";
 };
+
+/// Where the exercises are that an instructor may load: of the configuration, or beside the first exercise
+/// that has a file.
+std::filesystem::path exercise_folder(const Options& options);
 
 /// What each worker is to do: its exercises, its own name (NAME-1, NAME-2, ...), its folder to keep them in,
 /// its share of the cores. kept: which worker has what is kept already; the others go to those that have
