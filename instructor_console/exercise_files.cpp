@@ -158,7 +158,7 @@ json ExerciseFiles::list() const {
         }
         files.push_back(std::move(file));
     }
-    std::ranges::stable_partition(files, [](const json& file) {
+    std::stable_partition(files.begin(), files.end(), [](const json& file) {
         return !file["lesson"].is_string() || !of_an_accident(file["lesson"].get<std::string>());
     });
     return {{"files", std::move(files)}, {"events", words::kEventNames}, {"faults", words::kFaultNames}};

@@ -67,6 +67,14 @@ protected:
     ExerciseFiles files{folder};
 };
 
+TEST_F(ExerciseFilesTest, ListHasAccidentsBehindTheCourse) {
+    fs::copy(shipped / "exercises" / "A01_stellar_voyager.json", folder / "A01_stellar_voyager.json");
+    const json list = files.list();
+    ASSERT_EQ(list.at("files").size(), 3U);
+    EXPECT_EQ(list.at("files")[0].at("lesson"), "L01");
+    EXPECT_EQ(list.at("files")[2].at("lesson"), "A1");
+}
+
 TEST_F(ExerciseFilesTest, AreListedWithTheirLessonsAndTheNamesThatALessonMayUse) {
     const json list = files.list();
     ASSERT_EQ(list.at("files").size(), 2U);
