@@ -14,6 +14,7 @@ import { join } from "node:path";
 import type { BrowserContextOptions, Locator, Page } from "playwright-core";
 
 import { type TestPage, closeBrowser, closePage, openPage } from "../tests/browser/browser";
+import { firstOwner } from "../tests/browser/pages";
 import { Rig, eventually, sleep } from "../tests/browser/rig";
 
 const pictures = process.argv[2] ?? "";
@@ -276,16 +277,10 @@ try {
   const note = (text: string): void => console.error(`${minutes()} min: ${text}`);
   rig.server("L01_let_go_25m", "--wait"); // and makes the class's exercises
   const door = await rig.door(join(folder, "door"));
-  let owner = await openPage(door.setup, tls);
-  await owner.locator("input[name=name]").fill("anna");
-  await owner.locator("input[name=password]").fill("a long password");
-  await owner.locator("input[type=password]").last().fill("a long password");
-  await on(owner, "Set up").click();
-  await owner.waitForURL(/\/class$/);
-  await closePage(owner);
+  await closePage(await firstOwner(door.setup));
 
   // Nine o'clock: from the log-in.
-  owner = await openPage(`${door.url}login`, tls);
+  const owner = await openPage(`${door.url}login`, tls);
   await press(owner.locator("input[name=name]"));
   await owner.keyboard.type("anna");
   await press(owner.locator("input[name=password]"));

@@ -10,12 +10,12 @@ import { after, before, test } from "node:test";
 import type { Page } from "playwright-core";
 
 import { type TestPage, closeBrowser, openPage } from "./browser";
-import { hadNoProblems, passesAxe } from "./pages";
+import { firstOwner, hadNoProblems, openClass, passesAxe } from "./pages";
 import { type Program, Rig, eventually, sleep } from "./rig";
 
 const rig = new Rig();
 const tls = { ignoreHTTPSErrors: true };
-let folder: string, code: string, then: string;
+let folder: string, then: string;
 let server: Program;
 let door: Awaited<ReturnType<Rig["door"]>>;
 let owner: TestPage, deck: TestPage;
@@ -34,17 +34,8 @@ before(async () => {
   folder = await mkdtemp(join(tmpdir(), "windlass-class-loss-"));
   server = begin();
   door = await rig.door(join(folder, "door"));
-  owner = await openPage(door.setup, tls);
-  await owner.locator("input[name=name]").fill("anna");
-  await owner.locator("input[name=password]").fill("a long password");
-  await owner.locator("input[type=password]").last().fill("a long password");
-  await on(owner, "Set up").click();
-  await owner.waitForURL(/\/class$/);
-  await owner.locator("select option").first().waitFor({ state: "attached" });
-  await owner.locator("select").first().selectOption("L01_let_go_25m");
-  await owner.locator("input[type=number]").fill("2");
-  await on(owner, "Open the class").click();
-  code = (await owner.locator(".code-panel .letters").textContent()).replace(/ /g, "");
+  owner = await firstOwner(door.setup);
+  const code = await openClass(owner, 2);
   await eventually("both exercises are there", async () => {
     const all = await states();
     if (all.length === 2 && all.every((state) => state.startsWith("ready"))) return true;

@@ -8,14 +8,14 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 
 import { type TestPage, closeBrowser, inFirefox, openPage } from "./browser";
-import { hadNoProblems, passesAxe } from "./pages";
+import { firstOwner, hadNoProblems, openClass, passesAxe } from "./pages";
 import { Rig, eventually, sleep } from "./rig";
 
 inFirefox();
 const rig = new Rig();
 const picture = process.env.WINDLASS_FIREFOX_PICTURES; // a folder, to look at the pages
 const tls = { ignoreHTTPSErrors: true }; // its authority is nobody's yet
-let folder: string;
+let folder: string, code: string;
 let door: Awaited<ReturnType<Rig["door"]>>;
 let owner: TestPage, deck: TestPage;
 let exercise: Rig; // that of the class
@@ -52,24 +52,13 @@ after(async () => {
 });
 
 test("a class is opened in it", async () => {
-  owner = await openPage(door.setup, tls);
-  await owner.locator("input[name=name]").fill("anna");
-  await owner.locator("input[name=password]").fill("a long password");
-  await owner.locator("input[type=password]").last().fill("a long password");
-  await on(owner, "Set up").click();
-  await owner.waitForURL(/\/class$/);
-  await owner.locator("select option").first().waitFor({ state: "attached" });
-  await owner.locator("select").first().selectOption("L01_let_go_25m");
-  await owner.locator("input[type=number]").fill("1");
-  await owner.locator("select").last().selectOption("2");
-  await on(owner, "Open the class").click();
-  await owner.locator(".code-panel .letters").waitFor();
+  owner = await firstOwner(door.setup);
+  code = await openClass(owner, 1, 2);
   await eventually("its exercise is there", async () => /ready/.test(await row()));
   exercise = new Rig(await owner.locator("[data-exercise]").first().getAttribute("data-exercise"));
 });
 
 test("a trainee joins by its code, sits on the forecastle, and sees it drawn or why it is not", async () => {
-  const code = (await owner.locator(".code-panel .letters").textContent()).replace(/ /g, "");
   deck = await openPage(`${door.url}?code=${code}`, tls);
   await deck.locator("input[name=name]").fill("ben");
   await on(deck, "Take a seat").click();

@@ -6,7 +6,7 @@ import { join } from "node:path";
 
 import { root } from "../../station/web/tools/web.mjs";
 import type { Locator, Page } from "playwright-core";
-import type { TestPage } from "./browser";
+import { type TestPage, openPage } from "./browser";
 import { eventually } from "./rig";
 
 /** What shows that a page has heard of the exercise, by its name. */
@@ -54,6 +54,27 @@ export async function hasPalettes(page: TestPage, { axe = true } = {}): Promise<
     await page.getByRole("button", { name: /^palette/ }).click();
   }
   assert.equal(new Set([...seen].map((s) => s.split(" ")[0])).size, 4, `${[...seen]}`);
+}
+
+/** The page Class of a door's first owner, anna, set up by the link that the door has printed. */
+export async function firstOwner(setup: string): Promise<TestPage> {
+  const owner = await openPage(setup, { ignoreHTTPSErrors: true });
+  await owner.locator("input[name=name]").fill("anna");
+  await owner.locator("input[name=password]").fill("a long password");
+  await owner.locator("input[type=password]").last().fill("a long password");
+  await owner.getByRole("button", { name: "Set up", exact: true }).click();
+  await owner.waitForURL(/\/class$/);
+  return owner;
+}
+
+/** Opens a class of L01 by the form for a new one. crew: trainees to each exercise. Returns its code. */
+export async function openClass(owner: Page, exercises: number, crew = 1): Promise<string> {
+  await owner.locator("select option").first().waitFor({ state: "attached" });
+  await owner.locator("select").first().selectOption("L01_let_go_25m");
+  await owner.locator("input[type=number]").fill(`${exercises}`);
+  await owner.locator("select").last().selectOption(`${crew}`);
+  await owner.getByRole("button", { name: "Open the class", exact: true }).click();
+  return (await owner.locator(".code-panel .letters").textContent()).replace(/ /g, "");
 }
 
 /** Holds a button down until it acts, however long a busy page takes for that. */
