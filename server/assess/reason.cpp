@@ -27,10 +27,16 @@ std::string clock(std::int64_t ticks, int tick_rate) {
     return text.data();
 }
 
-std::string seconds(std::int64_t ticks, int tick_rate) {
+/// "12.3", "150".
+std::string tenths(double value) {
     std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%.1f s", static_cast<double>(ticks) / tick_rate);
-    return text.data();
+    std::snprintf(text.data(), text.size(), "%.1f", value);
+    const std::string_view all = text.data();
+    return std::string(all.ends_with(".0") ? all.substr(0, all.size() - 2) : all);
+}
+
+std::string seconds(std::int64_t ticks, int tick_rate) {
+    return tenths(static_cast<double>(ticks) / tick_rate) + " s";
 }
 
 std::string number(double value) {
@@ -42,19 +48,38 @@ void join(std::string& text, const char* between, const std::string& more) {
     text += (text.empty() ? "" : between) + more;
 }
 
+/// The clauses that stand whole within the first so many bytes.
+std::string whole_clauses(std::string_view text, std::size_t bytes) {
+    const std::string_view first = clipped(text, bytes);
+    const std::size_t end =
+        std::max(first.rfind(", ") + 1, std::max(first.rfind(". ") + 1, first.rfind("; ") + 1));
+    return std::string(end == 0 ? first : first.substr(0, end - 1));
+}
+
 std::string spaced(std::string_view code) {
     std::string text(code);
     std::ranges::replace_if(
-        text, [](char c) { return c == '_' || c == '.'; }, ' ');
+        text, [](char c) { return c == '_' || c == '.' || c == '-'; }, ' ');
     return text;
 }
 
-/// "brake hand-wheel above 0.95", "chain stopper closed: yes".
+const Quantity& quantity_at(int place) {
+    return quantities()[static_cast<std::size_t>(place)];
+}
+
+/// A quantity's name without what explains it: "brake hand-wheel" of "brake hand-wheel (0 open, 1 hard on)".
+std::string short_name(const Quantity& quantity) {
+    const std::string_view text = quantity.text;
+    return std::string(text.substr(0, std::min(text.find(", "), text.find(" ("))));
+}
+
+/// "brake hand-wheel (0 open, 1 hard on) above 0.95", "cable out below 6 shackles", "chain stopper closed",
+/// "the drive has tripped: no".
 std::string bounds_words(const Bounds& bounds) {
-    const Quantity& quantity = quantities()[static_cast<std::size_t>(bounds.quantity)];
+    const Quantity& quantity = quantity_at(bounds.quantity);
     const std::string unit = quantity.unit;
-    std::string text = quantity.text;
-    if (unit == "yes") return text + ": " + figure_text(bounds.below < kNoLimit ? 0 : 1, unit);
+    if (unit == "yes") return short_name(quantity) + (bounds.below < kNoLimit ? ": no" : "");
+    std::string text = unit.empty() ? quantity.text : short_name(quantity); // a scale wants its ends told
     if (bounds.above > -kNoLimit && bounds.below < kNoLimit)
         return text + " between " + figure_text(bounds.above, "") + " and " + figure_text(bounds.below, unit);
     if (bounds.at_least > -kNoLimit) text += " at least " + figure_text(bounds.at_least, unit);
@@ -92,7 +117,7 @@ std::string sign_words(const Lesson& lesson, const Sign& sign) {
                spaced(words::kReportNames.at(static_cast<std::size_t>(lesson.reports[k].code))) +
                of_side(lesson, lesson.reports[k].side);
     case SignKind::moment:
-        return "moment " + lesson.moments[k].id;
+        return '"' + spaced(lesson.moments[k].id) + '"';
     case SignKind::order_given:
         return order_of(lesson, k) + " given";
     case SignKind::order_repeated:
@@ -125,41 +150,52 @@ std::string condition_words(const Lesson& lesson, const Condition& condition) {
     return text;
 }
 
-/// What the part of a condition was that did not hold: missing_part().
-std::string missing_words(const Lesson& lesson, const Condition& condition, int part, double value) {
+/// What the part of a condition was that did not hold (missing_part()), by its name: "cable out was 3.6
+/// shackles", "chain stopper closed: no".
+std::string found_words(const Lesson& lesson, const Condition& condition, int part, double value) {
     const auto place = static_cast<std::size_t>(std::max(part, 0)), bounded = condition.bounds.size();
     if (place < bounded) {
-        const Quantity& quantity = quantities()[static_cast<std::size_t>(condition.bounds[place].quantity)];
+        const Quantity& quantity = quantity_at(condition.bounds[place].quantity);
         const std::string unit = quantity.unit;
-        return quantity.text + std::string(unit == "yes" ? ": " : " ") + figure_text(value, unit);
+        return short_name(quantity) + (unit == "yes" ? ": " : " was ") + figure_text(value, unit);
     }
     if (place == bounded) {
         const auto phase =
             static_cast<std::size_t>(std::clamp(value, 0.0, words::kAnchorPhaseNames.size() - 1.0));
-        return "anchor " + spaced(words::kAnchorPhaseNames.at(phase));
+        return "anchor was " + spaced(words::kAnchorPhaseNames.at(phase));
     }
     const std::size_t signs = bounded + 1 + condition.signs.size();
-    if (place < signs) return "not yet: " + sign_words(lesson, condition.signs[place - bounded - 1]);
-    if (place == signs + kEitherMissing) return "none of them";
-    if (place == signs + kNeitherHolds) return "one of what must not be";
+    if (place < signs) return "not yet " + sign_words(lesson, condition.signs[place - bounded - 1]);
+    if (place == signs + kEitherMissing) return "none of them was so";
+    if (place == signs + kNeitherHolds) return "one was so of what must not be";
     return "not for long enough";
 }
 
+/// The same behind the words of the condition itself, which name what one figure is of: "it was 3.6
+/// shackles".
+std::string but_found(const Lesson& lesson, const Condition& condition, int part, double value) {
+    const std::size_t parts = condition.bounds.size() + (condition.phases != 0 ? 1 : 0) +
+                              condition.signs.size() + condition.either.size() + condition.neither.size();
+    if (parts != 1 || condition.hold > 0) return "; but " + found_words(lesson, condition, part, value);
+    if (!condition.signs.empty()) return "; it was not";
+    if (condition.bounds.empty()) return "; but " + found_words(lesson, condition, part, value);
+    const std::string unit = quantity_at(condition.bounds.front().quantity).unit;
+    if (unit == "yes") return value > 0.5 ? "; it was" : "; it was not";
+    return "; it was " + figure_text(value, unit);
+}
+
 std::string lost(const Criterion& criterion, const Mark& mark) {
-    const int tenths = (criterion.weight * (1000 - mark.milli) + 50) / 100;
-    if (tenths == 0) return "";
-    std::array<char, 60> text{};
-    std::snprintf(text.data(), text.size(), "%d.%d of %d points lost", tenths / 10, tenths % 10,
-                  criterion.weight);
-    return text.data();
+    const int lost = (criterion.weight * (1000 - mark.milli) + 50) / 100; // tenths of a point
+    if (lost == 0) return "";
+    return tenths(lost / 10.0) + " of " + std::to_string(criterion.weight) + " points lost";
 }
 
 std::string limit_words(const Criterion& criterion, const Mark& mark, int rate) {
-    const Quantity& quantity = quantities()[static_cast<std::size_t>(criterion.quantity)];
+    const Quantity& quantity = quantity_at(criterion.quantity);
     const std::string unit = quantity.unit;
     if (mark.worst_tick < 0) return "";
     std::string text =
-        clock(mark.worst_tick, rate) + " " + quantity.text + " " + figure_text(mark.worst, unit);
+        clock(mark.worst_tick, rate) + " " + short_name(quantity) + " " + figure_text(mark.worst, unit);
     if (criterion.min > -kNoLimit) text += ", at least " + figure_text(criterion.min, unit);
     if (criterion.max < kNoLimit) text += ", at most " + figure_text(criterion.max, unit);
     if (mark.outside > 0)
@@ -194,7 +230,7 @@ std::string state_words(const Lesson& lesson, const Criterion& criterion, const 
     const std::string wanted =
         clock(mark.decided, rate) + " wanted: " + condition_words(lesson, criterion.that);
     if (mark.milli > 0) return wanted + "; it was so";
-    return wanted + "; it was not: " + missing_words(lesson, criterion.that, mark.missing, mark.worst);
+    return wanted + but_found(lesson, criterion.that, mark.missing, mark.worst);
 }
 
 /// What was wrong with how one order went; empty: nothing. over: the lesson is, and nothing more can come.
@@ -203,20 +239,21 @@ std::string order_faults(const LessonOrder& order, const OrderCourse& course, bo
     const double repeat = repeat_within(order.given);
     if (course.misrepeated) text = "repeated back wrongly";
     if (repeat > 0 && course.repeated < 0 && over)
-        join(text, ", and then ", "not repeated back, wanted within " + number(repeat) + " s");
+        join(text, ", and then ", "not repeated back within " + number(repeat) + " s");
     if (course.repeated >= 0 && !course.in_time)
         join(text, ", and then ",
              "repeated back after " + seconds(course.repeated - course.given, rate) + ", wanted within " +
                  number(repeat) + " s");
     const std::string within =
-        course.do_by < 0 ? "" : ", wanted within " + seconds(course.do_by - course.given, rate);
+        course.do_by < 0 ? "" : " within " + seconds(course.do_by - course.given, rate);
     if (course.done >= 0) {
         const bool late = course.do_by >= 0 && course.done > course.do_by;
         if (course.was_so && course.repeated < 0 && course.answered < 0)
             join(text, ", ", "so already when it was given, and nothing said to it");
         else if (late || !text.empty())
             join(text, ", ",
-                 "carried out after " + seconds(course.done - course.given, rate) + (late ? within : ""));
+                 "carried out after " + seconds(course.done - course.given, rate) +
+                     (late ? ", wanted" + within : ""));
     } else if (over) {
         join(text, ", ", "not carried out");
         const std::array sides{" by port", " by starboard"};
@@ -316,11 +353,10 @@ std::string report_words(const Lesson& lesson, const State& state, std::size_t k
 
 std::string final_words(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
     if (mark.decided < 0) return "";
-    std::string text = clock(mark.decided, rate) +
-                       " wanted at the end: " + condition_words(lesson, criterion.that) + "; it was " +
-                       (mark.milli > 0 ? "so" : "not: ");
-    if (mark.milli == 0) text += missing_words(lesson, criterion.that, mark.missing, mark.worst);
-    return text + (mark.held || mark.milli > 0 ? ", since " + clock(mark.since, rate) : ", and never was");
+    std::string text =
+        clock(mark.decided, rate) + " wanted at the end: " + condition_words(lesson, criterion.that);
+    text += mark.milli > 0 ? "; it was so" : but_found(lesson, criterion.that, mark.missing, mark.worst);
+    return text + (mark.held || mark.milli > 0 ? ", since " + clock(mark.since, rate) : ", and never was so");
 }
 
 std::string prohibited_words(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
@@ -381,9 +417,8 @@ std::string truth_words(const Lesson& lesson, const JudgedReport& report, int ti
                clock(report.so, tick_rate);
     }
     case ReportTruth::state:
-        return report.milli > 0
-                   ? "and it was so"
-                   : "and it was not: " + missing_words(lesson, criterion.that, report.missing, report.truth);
+        return report.milli > 0 ? "and it was so"
+                                : "but " + found_words(lesson, criterion.that, report.missing, report.truth);
     case ReportTruth::growth:
         return report.milli > 0 ? "and it was so" : "and it was not so";
     case ReportTruth::figure:
@@ -434,7 +469,7 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
     case CriterionKind::rubric:
         break;
     }
-    if (text.size() > kMostBytes) text = std::string(clipped(text, kMostBytes)) + " ...";
+    if (text.size() > kMostBytes) text = whole_clauses(text, kMostBytes) + " ...";
     const std::string points = mark.state == CriterionState::not_in_play ? "" : lost(criterion, mark);
     text += (text.empty() || points.empty() ? "" : ": ") + points;
     const bool missed = mark.state != CriterionState::not_in_play && !is_met(mark.milli);

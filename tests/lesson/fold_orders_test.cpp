@@ -106,9 +106,8 @@ TEST(Assessment, OrderThatIsNeverRepeatedSaysSo) {
     course.windlass().clutch = exercise::ClutchState::in;
     course.run(20);
     course.end();
-    EXPECT_EQ(course.mark().reason,
-              "0:01 \"put port windlass in gear\" not repeated back, wanted within 10 s, "
-              "carried out after 1.0 s: 4.0 of 10 points lost");
+    EXPECT_EQ(course.mark().reason, "0:01 \"put port windlass in gear\" not repeated back within 10 s, "
+                                    "carried out after 1 s: 4 of 10 points lost");
 }
 
 // He who says nothing to it has not shown that he heard it.
@@ -122,8 +121,8 @@ TEST(Assessment, OrderForWhatIsSoAlreadyEarnsNothingByItself) {
     course.run(20);
     course.end();
     EXPECT_EQ(course.mark().reason,
-              "0:01 \"put port windlass in gear\" not repeated back, wanted within 10 s, so already when it "
-              "was given, and nothing said to it: 10.0 of 10 points lost");
+              "0:01 \"put port windlass in gear\" not repeated back within 10 s, so already when it "
+              "was given, and nothing said to it: 10 of 10 points lost");
 }
 
 } // namespace windlass::assess
