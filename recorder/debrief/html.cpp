@@ -51,7 +51,8 @@ std::string document(std::string_view title, std::string_view body, std::string_
 
 std::string table(std::string_view caption, const std::vector<std::string>& columns,
                   const std::vector<std::vector<Cell>>& rows) {
-    // A table that is too wide for a small screen is scrolled by itself; a keyboard must reach it then.
+    // A table that is too wide for a small screen is scrolled by itself; a keyboard must reach it then. On a
+    // phone its cells stand under each other, each with its column's name (page_style.hpp).
     std::string html = "<div class=\"wide\" role=\"group\" tabindex=\"0\" aria-label=\"" + escaped(caption) +
                        "\"><table><caption>" + escaped(caption) + "</caption><thead><tr>";
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -64,8 +65,9 @@ std::string table(std::string_view caption, const std::vector<std::string>& colu
         html += "<tr>";
         for (std::size_t i = 0; i < row.size(); ++i) {
             const std::string of = row[i].figure ? " class=\"figure\"" : "";
+            const std::string column = i < columns.size() ? escaped(columns[i]) : "";
             html += i == 0 ? "<th scope=\"row\"" + of + ">" + row[i].html + "</th>"
-                           : "<td" + of + ">" + row[i].html + "</td>";
+                           : "<td" + of + " data-column=\"" + column + "\">" + row[i].html + "</td>";
         }
         html += "</tr>\n";
     }

@@ -62,7 +62,16 @@ svg .fluke { fill: none; stroke: #111; stroke-width: 2.6; stroke-linecap: round;
 .pair svg { width: 100%; height: auto; }
 figure > p { margin: .8rem 0 .2rem; }
 .key { break-after: avoid; }
-@media (max-width: 30rem) { dl { grid-template-columns: 1fr; } dd { margin-bottom: .4rem; } }
+@media (max-width: 30rem) {
+  dl { grid-template-columns: 1fr; }
+  dd { margin-bottom: .4rem; }
+  thead { display: none; }
+  tr { display: block; padding: .4rem 0; border-bottom: 1px solid #767676; }
+  th, td, .figure { display: block; padding: 0; border: 0; text-align: left; }
+  tbody th { font-weight: 600; }
+  td:empty { display: none; }
+  td:not([data-column=""])::before { content: attr(data-column) ": "; font-weight: 600; }
+}
 @media print {
   html { font-size: 10pt; }
   main { max-width: none; padding: 0; }

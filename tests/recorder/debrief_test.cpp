@@ -519,10 +519,10 @@ TEST(DebriefTest, OrderSaysWhenItWasCarriedOut) {
     EXPECT_THAT(csv_of(attempt), HasSubstr("carried out at 0:14"));
     attempt.assessment->orders()[0].tick(0);
     EXPECT_FALSE(orders_said(attempt)[0].done);
-    EXPECT_THAT(page_of(attempt, {}), HasSubstr("<td>not</td>"));
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr(">not</td>"));
     attempt.assessment->orders().clear(); // given by hand, of no lesson
     EXPECT_FALSE(orders_said(attempt)[0].judged);
-    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("<td>not</td>")));
+    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr(">not</td>")));
 }
 
 TEST(DebriefTest, MomentsAreWhatWasJudgedWrongAndWhatTheServerWarnedOf) {
