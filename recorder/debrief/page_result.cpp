@@ -275,7 +275,7 @@ std::string criteria(const Attempt& attempt, const Judgement& judgement) {
     }
     return "<h3>All criteria</h3>\n" +
            table("Criteria; a must is met from 50 % on",
-                 {"criterion", "kind", "limit", "worst", "s outside", "weight", "mark", "state"}, rows);
+                 {"criterion", "kind", "limit", "worst", "outside, s", "weight", "mark", "state"}, rows);
 }
 
 } // namespace

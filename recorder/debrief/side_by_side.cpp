@@ -25,7 +25,7 @@ namespace {
 constexpr std::string_view kWideStyle = R"(
 @page { size: A4 landscape; }
 main { max-width: 76rem; }
-td:has(.squares) { white-space: nowrap; }
+@media (min-width: 30.01rem) { td:has(.squares) { white-space: nowrap; } }
 .squares { letter-spacing: .1em; }
 )";
 

@@ -199,7 +199,7 @@ std::string limit_words(const Criterion& criterion, const Mark& mark, int rate) 
     if (criterion.min > -kNoLimit) text += ", at least " + figure_text(criterion.min, unit);
     if (criterion.max < kNoLimit) text += ", at most " + figure_text(criterion.max, unit);
     if (mark.outside > 0)
-        text += "; from " + clock(mark.since, rate) + " " + seconds(mark.outside, rate) + " beyond";
+        text += "; beyond it for " + seconds(mark.outside, rate) + ", from " + clock(mark.since, rate);
     return text;
 }
 
@@ -338,7 +338,9 @@ std::string report_words(const Lesson& lesson, const State& state, std::size_t k
     }
     std::string text = reports;
     if (!criterion.orders.empty())
-        join(text, ". ", "one wanted to each of " + std::to_string(std::max(mark.step, 1)) + " orders");
+        join(text, ". ",
+             "Wanted: one to " +
+                 (mark.step > 1 ? "each of " + std::to_string(mark.step) + " orders" : "the order"));
     else if (criterion.count > 1)
         join(text, ". ",
              (reports.empty() ? '"' + code + "\": " : "") + std::to_string(mark.step) + " of " +
