@@ -223,7 +223,31 @@ private:
         return {.orders = trials_.orders(), .from = from, .model_from = from};
     }
 
-    /// The first lever that the model's hands have otherwise, and when.
+    /// The first word of the model's hands that the recorded ones have not said by then, nor soon after.
+    std::optional<Change> first_word(const std::vector<run::OrderView>& model, std::uint64_t from) const {
+        constexpr double kSoon = 5; // s
+        const auto said = [&](const exercise::ReportMade& report, std::uint64_t until) {
+            return std::ranges::any_of(trials_.orders(), [&](const run::OrderView& order) {
+                const auto* made = std::get_if<exercise::ReportMade>(&order.command);
+                return made != nullptr && order.tick <= until && made->code == report.code &&
+                       made->side == report.side && made->order_number == report.order_number &&
+                       made->value == report.value;
+            });
+        };
+        for (const run::OrderView& order : model) {
+            const auto* report = std::get_if<exercise::ReportMade>(&order.command);
+            if (report == nullptr || order.tick < from || said(*report, order.tick + trials_.ticks(kSoon)))
+                continue;
+            const bool repeats = report->code == exercise::ReportCode::order_repeated;
+            return Change{.kind = repeats ? ChangeKind::order_repeated : ChangeKind::report_given,
+                          .tick = order.tick,
+                          .report = *report};
+        }
+        return std::nullopt;
+    }
+
+    /// The first lever that the model's hands have otherwise, and when; of what is judged by words, the first
+    /// word where it comes before.
     std::optional<Change> first_otherwise(std::uint64_t from) {
         constexpr double kWhile = 120; // s
         const std::uint64_t until = from + trials_.ticks(kWhile);
@@ -251,6 +275,10 @@ private:
                 break;
             }
         }
+        const assess::CriterionKind kind = recorded_.kind;
+        if (kind == assess::CriterionKind::order || kind == assess::CriterionKind::report)
+            if (const auto word = first_word(model, from); word && (!first || word->tick <= first->tick))
+                return word;
         return first;
     }
 

@@ -94,16 +94,21 @@ public:
         take(another_sea(seen_, more_water, other_gusts ? 1 : 0));
     }
 
-    /// One tick: what the hands do, the step, and what the lesson orders then.
-    void step() {
-        if (trials_.stop_.stop_requested()) throw std::runtime_error("the search was given up");
+    /// The recorded orders that are due.
+    void take_recorded() {
         const bool model = tick() >= model_from_;
         const bool conned = hands_ && std::ranges::any_of(hands_->seats, &lesson::Seat::conns);
         for (; next_ < orders_.size() && orders_[next_].tick <= tick(); ++next_)
             if (!answers_a_question(orders_[next_].command) && // that is taken when it is asked
                 (!model || !of_a_hand(orders_[next_].command, conned)))
                 take(orders_[next_].command);
-        if (hands_ && tick() % look_every_ == 0) look(model);
+    }
+
+    /// One tick: what the hands do, the step, and what the lesson orders then.
+    void step() {
+        if (trials_.stop_.stop_requested()) throw std::runtime_error("the search was given up");
+        take_recorded();
+        if (hands_ && tick() % look_every_ == 0) look(tick() >= model_from_);
         if (!course_.step()) throw std::runtime_error("the state ceases to be finite");
         for (const exercise::Order& order : course_.ordered())
             take(order);
@@ -229,6 +234,7 @@ Trials::Trials(const Attempt& attempt, const std::vector<trainee::Script>& model
     }
     while (walk.tick() < attempt.last_tick)
         walk.step();
+    walk.take_recorded(); // a lesson that was ended early is so by the last of them
     if (!assessor.ended()) throw std::runtime_error(def.name + ": its lesson did not come to an end");
     recorded_ = assessor.result();
     state_ = assessor.state();

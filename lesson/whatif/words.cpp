@@ -30,8 +30,11 @@ std::string lever_words(const Trials& trials, const Lever& lever) {
 }
 
 std::string report_words(const exercise::ReportMade& report) {
-    if (report.code == exercise::ReportCode::order_repeated)
-        return fmt::format("order {} repeated back", report.order_number);
+    if (report.code == exercise::ReportCode::order_repeated) {
+        const std::string order =
+            words::order_text(static_cast<std::size_t>(report.order_code), report.side, report.value);
+        return fmt::format("\"{}\" repeated back", order.empty() ? report.text : order);
+    }
     return '"' +
            words::report_text({.code = static_cast<std::size_t>(report.code),
                                .side = report.side,

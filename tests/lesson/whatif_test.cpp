@@ -126,6 +126,30 @@ TEST(WhatIf, AnAttemptGoneThroughUnchangedHasItsMarks) {
     EXPECT_EQ(trials.recorded().assessment_hash, one.played.result.assessment_hash);
 }
 
+// As a class is that runs out of time: the word that ends it comes at the last tick.
+TEST(WhatIf, LessonThatTheInstructorEndedIsSearchedToo) {
+    Played one("L01_let_go_25m.json"); // the wheel thrown wide open and left
+    Attempt& attempt = one.attempt;
+    const std::uint64_t end = criterion_of(one.played.result, "pay-out").lost_tick + 900;
+    ASSERT_LT(end, attempt.last_tick);
+    std::erase_if(attempt.orders, [&](const run::OrderView& order) { return order.tick >= end; });
+    std::erase_if(attempt.checkpoints, [&](const run::CheckpointView& each) { return each.tick > end; });
+    attempt.last_tick = end;
+    attempt.orders.push_back({.run = 1,
+                              .tick = end,
+                              .number = attempt.orders.size() + 1,
+                              .source = run::kServerName,
+                              .command = exercise::AssessorsWord{.criterion = {},
+                                                                 .verdict = exercise::AssessorVerdict::ended,
+                                                                 .milli = 0,
+                                                                 .note = "exercise ended: by anna",
+                                                                 .by = run::kServerName}});
+    Trials trials(attempt, one.model);
+    EXPECT_EQ(trials.recorded().ending, assess::Ending::instructor);
+    EXPECT_THAT(lost_criteria(trials), testing::Contains("pay-out"));
+    EXPECT_TRUE(what_if(trials, "pay-out").kept) << "the wheel hard on";
+}
+
 TEST(WhatIf, ModelHandsThatTakeOverAtTheBeginningGoTheModelRun) {
     const Played one("L15_motor_overhauled.json");
     Trials trials(one.attempt, one.model);
