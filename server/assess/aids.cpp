@@ -140,7 +140,8 @@ std::string told_words(const AidWord& word, bool two_sides) {
 }
 
 std::string told_words(const AidTaken& aid, bool two_sides) {
-    if (aid.kind == AidKind::ghost) return "The model's hands were shown over his own levers from here on.";
+    if (aid.kind == AidKind::ghost)
+        return "The model's hands were shown over the trainee's own levers from here on.";
     AidWord word{
         .kind = aid.kind, .forecastle = aid.forecastle, .value = aid.value, .criterion = aid.criterion};
     if (aid.lever >= 0)

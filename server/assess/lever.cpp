@@ -8,6 +8,25 @@
 
 namespace windlass::assess {
 
+double place_of(const Lever& lever, const exercise::WindlassOrder& windlass,
+                const exercise::HelmOrder& helm) {
+    switch (lever.kind) {
+    case LeverKind::brake:
+        return windlass.brake;
+    case LeverKind::speed:
+        return windlass.speed_lever;
+    case LeverKind::clutch:
+        return windlass.clutch_in ? 1 : 0;
+    case LeverKind::stopper:
+        return windlass.stopper_closed ? 1 : 0;
+    case LeverKind::engine:
+        return helm.engine;
+    case LeverKind::rudder:
+        return helm.rudder;
+    }
+    return 0;
+}
+
 std::string lever_words(const Lever& lever, bool two_sides) {
     const std::string side = lever.of_helm() || !two_sides        ? ""
                              : lever.side == exercise::Side::port ? "port "

@@ -23,6 +23,9 @@ struct Lever {
     bool operator==(const Lever&) const = default;
 };
 
+/// Where it stands by these orders, the windlass's those of its side.
+double place_of(const Lever& lever, const exercise::WindlassOrder& windlass, const exercise::HelmOrder& helm);
+
 /// "the port wheel"; of one windlass alone "the wheel".
 std::string lever_words(const Lever& lever, bool two_sides);
 /// Where it stands: "hard on", "30 % heave".

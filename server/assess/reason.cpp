@@ -39,6 +39,11 @@ std::string seconds(std::int64_t ticks, int tick_rate) {
     return tenths(static_cast<double>(ticks) / tick_rate) + " s";
 }
 
+/// Of what came too late: rounded up, so that it never reads as if it had been in time.
+std::string late_seconds(std::int64_t ticks, int tick_rate) {
+    return tenths(std::ceil(10.0 * static_cast<double>(ticks) / tick_rate - 1e-6) / 10) + " s";
+}
+
 std::string number(double value) {
     return figure_text(value, "");
 }
@@ -199,7 +204,12 @@ std::string limit_words(const Criterion& criterion, const Mark& mark, int rate) 
     if (criterion.min > -kNoLimit) text += ", at least " + figure_text(criterion.min, unit);
     if (criterion.max < kNoLimit) text += ", at most " + figure_text(criterion.max, unit);
     if (mark.outside > 0)
-        text += "; beyond it for " + seconds(mark.outside, rate) + ", from " + clock(mark.since, rate);
+        text += "; beyond it for " + seconds(mark.outside, rate) + " in all, from " + clock(mark.since, rate);
+    if (mark.wrong > 0) {
+        const bool above = mark.worst > criterion.fail_above;
+        text += std::string("; nothing is left ") + (above ? "above " : "below ") +
+                figure_text(above ? criterion.fail_above : criterion.fail_below, unit);
+    }
     return text;
 }
 
@@ -242,17 +252,17 @@ std::string order_faults(const LessonOrder& order, const OrderCourse& course, bo
         join(text, ", and then ", "not repeated back within " + number(repeat) + " s");
     if (course.repeated >= 0 && !course.in_time)
         join(text, ", and then ",
-             "repeated back after " + seconds(course.repeated - course.given, rate) + ", wanted within " +
-                 number(repeat) + " s");
+             "repeated back after " + late_seconds(course.repeated - course.given, rate) +
+                 ", wanted within " + number(repeat) + " s");
     const std::string within =
         course.do_by < 0 ? "" : " within " + seconds(course.do_by - course.given, rate);
     if (course.done >= 0) {
         const bool late = course.do_by >= 0 && course.done > course.do_by;
         if (course.was_so && course.repeated < 0 && course.answered < 0)
-            join(text, ", ", "so already when it was given, and nothing said to it");
+            join(text, "; ", "it was so already when it was given, and nothing was said to it");
         else if (late || !text.empty())
             join(text, ", ",
-                 "carried out after " + seconds(course.done - course.given, rate) +
+                 "carried out after " + late_seconds(course.done - course.given, rate) +
                      (late ? ", wanted" + within : ""));
     } else if (over) {
         join(text, ", ", "not carried out");
@@ -337,19 +347,26 @@ std::string report_words(const Lesson& lesson, const State& state, std::size_t k
         return wanted + ", not reported";
     }
     std::string text = reports;
-    if (!criterion.orders.empty())
-        join(text, ". ",
-             "Wanted: one to " +
-                 (mark.step > 1 ? "each of " + std::to_string(mark.step) + " orders" : "the order"));
-    else if (criterion.count > 1)
+    if (!criterion.orders.empty()) {
+        // First, since a long list of reports is cut.
+        const int wanted = std::max(mark.step, 1);
+        const auto made = std::ranges::count(state.judged, static_cast<int>(k), &JudgedReport::criterion);
+        if (made < wanted) {
+            text = "One wanted to " +
+                   (wanted > 1 ? "each of " + std::to_string(wanted) + " orders" : "the order") + ", " +
+                   (made == 0 ? "none" : std::to_string(wanted - made) + " not") + " made";
+            join(text, ". ", reports);
+        }
+    } else if (criterion.count > 1) {
         join(text, ". ",
              (reports.empty() ? '"' + code + "\": " : "") + std::to_string(mark.step) + " of " +
                  std::to_string(criterion.count) + " reports made");
-    else if (reports.empty() && mark.state != CriterionState::not_in_play)
+    } else if (reports.empty() && mark.state != CriterionState::not_in_play) {
         text = (criterion.truth == ReportTruth::state && mark.since >= 0
                     ? clock(mark.since, rate) + " it was so: "
                     : "") +
                "\"" + code + "\" wanted, not reported" + (mark.decided < 0 ? " yet" : "");
+    }
     return text;
 }
 
@@ -475,7 +492,7 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
     const std::string points = mark.state == CriterionState::not_in_play ? "" : lost(criterion, mark);
     text += (text.empty() || points.empty() ? "" : ": ") + points;
     const bool missed = mark.state != CriterionState::not_in_play && !is_met(mark.milli);
-    if (criterion.must && missed && state.ending != Ending::none) text += "; a must: all points halved";
+    if (criterion.must && missed && state.ending != Ending::none) text += "; a must";
     if (mark.overridden) text += (text.empty() ? "" : "; ") + mark.by + ": " + mark.note;
     return text;
 }

@@ -247,22 +247,7 @@ std::vector<Lever> HintSearch::levers() const {
 }
 
 double HintSearch::value_now(const Lever& lever) const {
-    const exercise::WindlassOrder& windlass = windlass_.at(static_cast<std::size_t>(lever.side));
-    switch (lever.kind) {
-    case LeverKind::brake:
-        return windlass.brake;
-    case LeverKind::speed:
-        return windlass.speed_lever;
-    case LeverKind::clutch:
-        return windlass.clutch_in ? 1 : 0;
-    case LeverKind::stopper:
-        return windlass.stopper_closed ? 1 : 0;
-    case LeverKind::engine:
-        return helm_.engine;
-    case LeverKind::rudder:
-        return helm_.rudder;
-    }
-    return 0;
+    return assess::place_of(lever, windlass_.at(static_cast<std::size_t>(lever.side)), helm_);
 }
 
 /// To the end of a lever's way, or to stop; in the order in which a hand would think of them.

@@ -143,7 +143,8 @@ public:
     bool shows_ghost(bool forecastle) const;
     /// A seat waits for a hint: whether it is the forecastle. Nothing: none does.
     std::optional<bool> hint_wanted() const;
-    /// The hint that was found for it.
+    /// The hint that was found for it. One whose lever stands there already is not told: it waits for
+    /// another.
     void tell_hint(const assess::AidWord& told);
     void clear_news();
 
@@ -188,6 +189,7 @@ private:
     void carry_out_aid(const AnswerOrder& order, const ReceivedOrder& from);
     void assess();
     void tell_hints();
+    bool is_done(const assess::AidWord& hint) const;
     void tell_when_the_lesson_is_over();
     bool asks() const;
     void tell_questions();

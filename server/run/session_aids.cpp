@@ -5,6 +5,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cmath>
 #include <utility>
 
 namespace windlass::run {
@@ -127,9 +128,20 @@ bool Session::shows_ghost(bool forecastle) const {
     return (aids(seat) & aid_ghost_on) != 0 && !status_.asked.at(seat) && !over();
 }
 
+/// Whether the lever that it would have moved has come there meanwhile, by the hand itself.
+bool Session::is_done(const assess::AidWord& hint) const {
+    constexpr double kAsSet = 0.05; // of a lever's way
+    if (!hint.lever) return false;
+    const exercise::WindlassOrder windlass =
+        hint.lever->of_helm() ? exercise::WindlassOrder{} : exercise_.levers(hint.lever->side);
+    const double place = assess::place_of(*hint.lever, windlass, exercise_.helm());
+    return std::abs(place - hint.value) <= kAsSet;
+}
+
 void Session::tell_hint(const assess::AidWord& told) {
     const std::size_t seat = told.forecastle ? 0 : 1;
     if ((aids(seat) & aid_hint_wanted) == 0) return; // gone back, or over, meanwhile
+    if (is_done(told)) return;                       // it is still wanted, and looked for from what is so now
     apply(assess::write_aid(told), kServerName);
     instructed_.at(seat) = true;
     log(told.forecastle ? words::EventCode("hint.forecastle") : words::EventCode("hint.bridge"),

@@ -78,12 +78,13 @@ void Session::leave_alone(LeverGroup levers, const LeverOwnership::Hand& hand) {
         left = "speed lever at zero; brake, clutch and stopper as they were";
     }
     log("levers.lost",
-        fmt::format("{} {} and nobody has the {}: {}", hand.source,
-                    hand.let_go ? "has let go" : "is no longer heard", name(levers), left),
+        hand.let_go
+            ? fmt::format("{} is not at the levers: nobody has the {}; {}", hand.source, name(levers), left)
+            : fmt::format("{} is no longer heard and nobody has the {}: {}", hand.source, name(levers), left),
         side_of(levers));
-    AlertView unattended =
-        alert(kUnattended, side_of(levers), 0,
-              {name(levers), hand.source, hand.let_go ? "has let go" : "is not heard any more", left});
+    AlertView unattended = alert(
+        kUnattended, side_of(levers), 0,
+        {name(levers), hand.source, hand.let_go ? "is not at the levers" : "is not heard any more", left});
     (levers == LeverGroup::helm ? unattended.deck_panel : unattended.bridge_panel) = false;
     alerts_.raise(std::move(unattended));
 }

@@ -57,6 +57,22 @@ TEST(Assessment, WhatWentWrongIsFoundWhereItFirstDid) {
     EXPECT_EQ(course.mark(3).reason, "it never was so, and must not be: dog clutch in");
 }
 
+TEST(Assessment, ReasonOfALimitSaysForHowLongInAllAndWhatLeavesNothing) {
+    Course course(lesson(R"({"id": "v", "kind": "limit", "of": "cable_speed", "max": 3, "fail_above": 6})"));
+    const auto runs = [&](double speed, double seconds) {
+        course.windlass().cable_speed = speed;
+        course.run(seconds);
+    };
+    runs(0, 10);
+    runs(4, 1);
+    runs(0, 5);
+    runs(7, 1);
+    runs(0, 5);
+    course.end();
+    EXPECT_EQ(course.mark().reason, "0:16 cable's speed 7 m/s, at most 3 m/s; beyond it for 2 s in all, from "
+                                    "0:10; nothing is left above 6 m/s: 10 of 10 points lost");
+}
+
 TEST(Assessment, ExerciseThatIsEndedEarlyHasNobodysWord) {
     Course course(
         lesson(R"({"id": "a", "kind": "final", "that": {}})", R"(, "end": {"good": {"moment": "bottom"}})"));

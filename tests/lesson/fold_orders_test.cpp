@@ -120,9 +120,10 @@ TEST(Assessment, OrderForWhatIsSoAlreadyEarnsNothingByItself) {
     give_first(course, exercise::BridgeOrderState::not_repeated);
     course.run(20);
     course.end();
-    EXPECT_EQ(course.mark().reason,
-              "0:01 \"put port windlass in gear\" not repeated back within 10 s, so already when it "
-              "was given, and nothing said to it: 10 of 10 points lost");
+    EXPECT_EQ(
+        course.mark().reason,
+        "0:01 \"put port windlass in gear\" not repeated back within 10 s; it was so already when it was "
+        "given, and nothing was said to it: 10 of 10 points lost");
 }
 
 } // namespace windlass::assess

@@ -188,6 +188,7 @@ TEST_F(SessionAids, HintIsGivenToTheSeatThatAskedAndCounted) {
     EXPECT_EQ(refusal(session, ask(AidKind::hint)), "");
     EXPECT_EQ(session.hint_wanted(), true);
     EXPECT_NE(refusal(session, ask(AidKind::hint)).find("one at a time"), std::string::npos);
+    give(session, levers(0.2));
     session.clear_news();
     session.tell_hint({.kind = AidKind::told,
                        .forecastle = true,
@@ -202,6 +203,23 @@ TEST_F(SessionAids, HintIsGivenToTheSeatThatAskedAndCounted) {
     EXPECT_EQ(hints[0].text, "The wheel hard on now.");
     ASSERT_EQ(session.orders().size(), 1U);
     EXPECT_EQ(session.orders()[0].source, kServerName);
+}
+
+// The search takes seconds: a hand that has done it meanwhile is not told to.
+TEST_F(SessionAids, HintOfWhatIsDoneAlreadyIsNotToldAndAnotherIsLookedFor) {
+    Session session(def(), options());
+    EXPECT_EQ(refusal(session, ask(AidKind::hint)), "");
+    const AidWord hard_on{.kind = AidKind::told,
+                          .forecastle = true,
+                          .lever = assess::Lever{LeverKind::brake, exercise::Side::port},
+                          .value = 1,
+                          .criterion = 0};
+    give(session, levers(1));
+    session.tell_hint(hard_on);
+    EXPECT_TRUE(session.hint_wanted());
+    give(session, levers(0.2));
+    session.tell_hint(hard_on);
+    EXPECT_FALSE(session.hint_wanted());
 }
 
 TEST_F(SessionAids, HintsInAnAttemptHaveAnEnd) {

@@ -212,12 +212,12 @@ TEST_F(SessionTest, HandThatLetsGoIsNotSaidToBeUnheard) {
     session.clear_news();
     hear_nothing(session, 10.1, 10.5);
     EXPECT_EQ(text_of(session, "levers.lost"),
-              "instructor has let go and nobody has the port windlass: speed lever at zero; brake, clutch "
-              "and stopper as they were");
+              "instructor is not at the levers: nobody has the port windlass; speed lever at zero; brake, "
+              "clutch and stopper as they were");
     ASSERT_EQ(session.alerts().size(), 1U);
     EXPECT_EQ(session.alerts()[0].explanation,
-              "instructor had it and has let go; speed lever at zero; brake, clutch and stopper as they "
-              "were. Whoever moves the levers next has them.");
+              "instructor had it and is not at the levers; speed lever at zero; brake, clutch and stopper "
+              "as they were. Whoever moves the levers next has them.");
     writer = {8}; // each hand of a station has one of its own
     hold(11);
     let_go(11.1);
