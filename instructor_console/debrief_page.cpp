@@ -24,7 +24,7 @@ std::string page_of(recording::Recording& recording, const fs::path& config, deb
     if (attempt.assessment) {
         try {
             model = recorder::model_ghost(recording, attempt, config);
-            options.ghost = debrief::Ghost{&*model, "as the model hands did it"};
+            options.ghost = debrief::Ghost{&*model, debrief::kModelGhost};
         } catch (const std::runtime_error& error) {
             options.no_ghost = error.what();
         }

@@ -90,7 +90,7 @@ int debrief_recording(const DebriefOptions& options) {
     const auto attempt = read(options.paths, options.run, whole, true);
     const auto ghost = ghost_of(options, attempt, whole, page.no_ghost);
     if (ghost)
-        page.ghost = debrief::Ghost{&*ghost, options.ghost.empty() ? "as the model hands did it"
+        page.ghost = debrief::Ghost{&*ghost, options.ghost.empty() ? debrief::kModelGhost
                                                                    : "as in " + ghost->origin.recording};
     std::vector<debrief::Attempt> others;
     for (const auto& path : options.over)

@@ -27,10 +27,13 @@ struct Links {
 /// and token. Throws std::runtime_error when it is none.
 Links links_to(const std::string& address);
 
+/// The name of a ghost that is the lesson's model run.
+inline constexpr const char* kModelGhost = "as the model hands did it";
+
 /// The same lesson as other hands did it, behind one's own curves. It can be put out of sight.
 struct Ghost {
     const Attempt* attempt = nullptr;
-    std::string name; ///< "as the model hands did it"
+    std::string name; ///< kModelGhost, "as in monday"
 };
 
 /// One quantity as it was, and as it would have been by one change.

@@ -16,6 +16,7 @@ namespace windlass::debrief {
 namespace {
 
 constexpr std::size_t kNodeRows = 16;
+constexpr double kAsPictured = 0.5; // s: a cable that runs is out a few metres more by then
 
 /// Whose cable is looked at: the moment's, or the first that was worked.
 int side_of(const Attempt& attempt, const PicturedMoments& moments) {
@@ -39,12 +40,19 @@ std::string table_of(const SceneAt& scene, int side) {
                  {"node", "east, m", "north, m", "over the water, m", "kN"}, rows);
 }
 
-/// "2, 3: 0:22 anchor on the bottom; 0:23 ..."
+/// "2 0:22 anchor let go; not pictured, soon after: 3 0:25 anchor on the bottom": it is drawn at the first.
 std::string heading(const PageContext& page, const PicturedMoments& moments) {
     std::string text;
-    for (const std::size_t place : moments.numbers)
-        text += fmt::format("{}<b>{}</b> {} {}", text.empty() ? "" : "; ", place + 1,
-                            time_link(page, page.moments[place].time), escaped(page.moments[place].what));
+    bool later = false;
+    for (const std::size_t place : moments.numbers) {
+        const Moment& moment = page.moments[place];
+        const bool pictured = moment.time <= moments.time + kAsPictured;
+        const char* before = text.empty() ? "" : "; ";
+        if (!pictured && !later) before = "; not pictured, soon after: ";
+        later = !pictured;
+        text += fmt::format("{}<b>{}</b> {} {}", before, place + 1, time_link(page, moment.time),
+                            escaped(moment.what));
+    }
     return text;
 }
 
@@ -95,7 +103,7 @@ std::string pictures_part(const PageContext& page) {
     return "<section aria-labelledby=\"scenes\">\n<h2 id=\"scenes\">The scene at key moments</h2>\n<p>As "
            "recorded, in true shape, seen across the cable; the cable&#39;s line is wider and redder with "
            "its "
-           "tension. The numbers are those of the moments.</p>\n"
+           "tension. The numbers are those of the moments; each picture is of the first beside it.</p>\n"
            "<div class=\"wide key\" role=\"group\" tabindex=\"0\" aria-label=\"Key of tensions\">" +
            tension_key(page.limits) + "</div>\n" + figures + "</section>\n";
 }

@@ -3,6 +3,7 @@
 #include "recorder/debrief/compare.hpp"
 #include "recorder/debrief/curves.hpp"
 #include "recorder/debrief/html.hpp"
+#include "recorder/debrief/judgement.hpp"
 #include "recorder/debrief/page_parts.hpp"
 #include "recorder/debrief/plot.hpp"
 #include "recorder/debrief/scale.hpp"
@@ -158,6 +159,17 @@ std::string both_did(const Attempt& attempt, const Attempt& ghost) {
     return text.empty() ? "" : fmt::format(" This attempt:{}.", text);
 }
 
+/// Why a model run came to less than it should: it is no example then.
+std::string falls_short(const Ghost& ghost) {
+    const auto& marks = ghost.attempt->assessment;
+    if (ghost.name != kModelGhost || !marks || !marks->finished() || marks->outcome() == "achieved")
+        return {};
+    return fmt::format(
+        " <strong>They came to {:.1f} of 100 points, {}</strong>: what an instructor broke, blew or "
+        "said in this attempt came to them, too, and they expect none of it.",
+        marks->score(), escaped(outcome_words(marks->outcome().to_string())));
+}
+
 /// Says what the paler lines are, and puts them where they are to be, or out of sight.
 std::string ghost_choice(const PageContext& page) {
     const Ghost& ghost = *page.options.ghost;
@@ -170,12 +182,12 @@ std::string ghost_choice(const PageContext& page) {
                            "{}</label>\n",
                            id, checked, escaped(words));
     };
-    std::string html =
-        fmt::format("<p class=\"ghost\">Paler, dashed and wider, behind this attempt&#39;s own lines: the "
-                    "lesson {}.{}{}</p>\n"
-                    "<fieldset><legend>The paler lines</legend>\n",
-                    escaped(ghost.name), escaped(both_did(page.attempt, *ghost.attempt)),
-                    fmt::format(" Theirs ends at {}.", station::clock(ghost.attempt->ended)));
+    std::string html = fmt::format(
+        "<p class=\"ghost\">Paler, dashed and wider, behind this attempt&#39;s own lines: the "
+        "lesson {}.{}{}{}</p>\n"
+        "<fieldset><legend>The paler lines</legend>\n",
+        escaped(ghost.name), escaped(both_did(page.attempt, *ghost.attempt)),
+        fmt::format(" Theirs ends at {}.", station::clock(ghost.attempt->ended)), falls_short(ghost));
     html += choice("ghost-played", " checked=\"checked\"", "in their own time, from the same beginning");
     if (std::abs(alignment.shift) > kAlike) html += choice("ghost-aligned", "", moved);
     html += choice("ghost-off", "", "out of sight") + "</fieldset>\n";

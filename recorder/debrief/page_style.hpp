@@ -10,7 +10,7 @@ inline constexpr std::string_view kStyle = R"(
 @page { size: A4; margin: 14mm 14mm 16mm; }
 html { font: 16px/1.45 "Noto Sans", "Liberation Sans", Arial, sans-serif; color: #111; background: #fff; }
 body { margin: 0; }
-main { max-width: 46rem; margin: 0 auto; padding: 1rem; }
+main { max-width: 50rem; margin: 0 auto; padding: 1rem; }
 h1 { font-size: 1.5rem; line-height: 1.2; margin: 0 0 .8rem; }
 h2 { font-size: 1.2rem; border-bottom: 2px solid #111; margin: 2rem 0 .7rem; }
 h3 { font-size: 1rem; margin: 1.3rem 0 .4rem; }
@@ -27,7 +27,7 @@ dd { margin: 0; overflow-wrap: anywhere; }
 .wide:focus-visible, a:focus-visible, summary:focus-visible { outline: 3px solid #00418a; outline-offset: 2px; }
 table { border-collapse: collapse; width: 100%; font-size: .9rem; }
 caption { text-align: left; font-weight: 600; padding: .2rem 0; }
-th, td { text-align: left; vertical-align: top; padding: .2rem .8rem .2rem 0; border-bottom: 1px solid #767676; font-weight: 400; }
+th, td { text-align: left; vertical-align: top; padding: .2rem .5rem .2rem 0; border-bottom: 1px solid #767676; font-weight: 400; }
 thead th { font-weight: 600; border-bottom: 2px solid #111; }
 .figure { text-align: right; font-variant-numeric: tabular-nums; }
 figure { margin: 0 0 1rem; }

@@ -27,6 +27,12 @@ Cell done_cell(const PageContext& page, const OrderSaid& order) {
     return order.done ? Cell{time_link(page, *order.done), false} : text_cell("not");
 }
 
+/// How long that took; of what was so when it was ordered, that.
+Cell taken_cell(const OrderSaid& order) {
+    if (order.done && *order.done < order.given) return figure_cell("so already");
+    return seconds_cell(since(order.done, order.given));
+}
+
 } // namespace
 
 std::string talk_part(const PageContext& page) {
@@ -41,7 +47,7 @@ std::string talk_part(const PageContext& page) {
                         seconds_cell(since(order.repeated, order.given)),
                         seconds_cell(since(order.repeat_by, order.given)),
                         done_cell(page, order),
-                        seconds_cell(since(order.done, order.given)),
+                        taken_cell(order),
                         seconds_cell(since(order.do_by, order.given)),
                         text_cell(order.answer),
                         seconds_cell(since(order.answered, order.given))});

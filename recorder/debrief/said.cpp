@@ -55,8 +55,38 @@ void tell_done(const Attempt& attempt, OrderSaid& row) {
 bool repeats(const SaidReport& said, int number) {
     return said.report.code() == REPORT_ORDER_REPEATED && said.report.order_number() == number;
 }
+/// With the order's code, side and figure.
+bool repeats_rightly(const SaidReport& said, const BridgeOrder& order) {
+    return repeats(said, order.number()) && said.report.order_code() == order.code() &&
+           said.report.side() == order.side() && said.report.value() == order.value();
+}
 bool answers(const SaidReport& said, int number) {
     return said.report.code() != REPORT_ORDER_REPEATED && said.report.order_number() == number;
+}
+
+/// The same order, also where the bridge put "I say again" before it. One in own words is told by these.
+bool is_same(const BridgeOrder& one, const BridgeOrder& other) {
+    const std::string_view text = one.text().c_str(), other_text = other.text().c_str();
+    return one.code() == other.code() && one.side() == other.side() && one.value() == other.value() &&
+           (one.code() != BRIDGE_ORDER_TEXT || text.ends_with(other_text) || other_text.ends_with(text));
+}
+
+/// To the server what answers an order answers each time that the same was given: those that nobody had
+/// repeated when it was said again are repeated too from then on.
+void tell_said_again(const Attempt& attempt, const BridgeOrder& order, OrderSaid& row) {
+    const bool by_itself = std::ranges::any_of(
+        attempt.reports, [&](const SaidReport& said) { return repeats_rightly(said, order); });
+    if (order.state() != ORDER_REPEATED || by_itself) return;
+    for (const GivenOrder& other : attempt.orders) {
+        if (other.order.number() == order.number() || !is_same(order, other.order)) continue;
+        if (other.order.number() > order.number()) {
+            row.state = row.repeated ? "repeated wrongly, said again" : "not repeated, said again";
+            return;
+        }
+        for (const SaidReport& said : attempt.reports) // who repeated it named an earlier one
+            if (!row.repeated && said.time >= order.time() && repeats_rightly(said, other.order))
+                row.repeated = said.time;
+    }
 }
 
 } // namespace
@@ -85,6 +115,7 @@ std::vector<OrderSaid> orders_said(const Attempt& attempt) {
                 row.answer = station::words(said.report);
             }
         }
+        tell_said_again(attempt, order, row);
         rows.push_back(std::move(row));
     }
     return rows;

@@ -11,7 +11,7 @@ struct OrderSaid {
     double given = 0; ///< s of exercise
     std::string words, by;
     std::optional<double> repeated; ///< time of the first repeat-back
-    std::string state;              ///< "repeated", "repeated wrongly" ...
+    std::string state;              ///< "repeated", "repeated wrongly", "not repeated, said again" ...
     std::optional<double> answered; ///< time of the first report that answers it, other than its repeat-back
     std::string answer;             ///< its words
     std::optional<double> repeat_by, do_by; ///< times, where there was a deadline

@@ -569,6 +569,66 @@ TEST(DebriefTest, OrdersHaveTheDelayOfTheirRepeatBack) {
     EXPECT_FALSE(orders[0].answered);
 }
 
+TEST(DebriefTest, OrderThatWasSaidAgainUntilItWasRepeatedWasRepeatedOnce) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    for (const int number : {2, 3}) { // what answers the last answers all of them
+        GivenOrder again = attempt.orders[0];
+        again.order.number(number);
+        again.order.time(9 + number);
+        again.order.text("I say again");
+        attempt.orders.push_back(again);
+    }
+    for (SaidReport& said : attempt.reports)
+        if (said.report.code() == REPORT_ORDER_REPEATED) {
+            said.time = 14;
+            said.report.order_number(3);
+            said.report.order_code(BRIDGE_ORDER_LET_GO);
+        }
+    auto orders = orders_said(attempt);
+    ASSERT_THAT(orders, SizeIs(3));
+    for (const std::size_t early : {0U, 1U}) {
+        EXPECT_EQ(orders[early].state, "not repeated, said again");
+        EXPECT_FALSE(orders[early].repeated);
+    }
+    EXPECT_EQ(orders[2].state, "repeated");
+    EXPECT_EQ(orders[2].repeated, 14.0);
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr(">not repeated, said again</td>"));
+
+    for (SaidReport& said : attempt.reports)
+        if (said.report.code() == REPORT_ORDER_REPEATED) said.report.order_number(2);
+    orders = orders_said(attempt);
+    EXPECT_EQ(orders[0].state, "not repeated, said again");
+    EXPECT_EQ(orders[1].repeated, 14.0);
+    EXPECT_EQ(orders[2].state, "repeated");
+    EXPECT_EQ(orders[2].repeated, 14.0) << "who repeated it named the one before";
+}
+
+TEST(DebriefTest, OrderOfWhatWasSoAlreadyTookNoTime) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("so already")));
+    attempt.orders[0].order.time(20); // carried out at 14 s
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr(">so already</td>"));
+}
+
+TEST(DebriefTest, PictureOfSeveralMomentsIsOfTheFirstAndSaysWhatCameAfterIt) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    for (const auto& [time, side] : {std::pair(45.0, SIDE_PORT), std::pair(47.0, SIDE_STARBOARD)}) {
+        Event mark;
+        mark.time(time);
+        mark.code("exercise.bookmark");
+        mark.text("look");
+        mark.side(side);
+        attempt.events.push_back(mark);
+    }
+    recording::Recording recording({folder / "monday"});
+    read_scenes(recording, attempt);
+    EXPECT_THAT(page_of(attempt, {}),
+                testing::ContainsRegex("</b> 0:45 [^<]*; not pictured, soon after: <b>[0-9]+</b> 0:47 "));
+}
+
 TEST(DebriefTest, MomentsLeadToThePlaceInTheRecording) {
     const Folder folder;
     const Attempt attempt = attempt_of(folder, {.waits = 4});
