@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <regex>
 
 namespace windlass::door {
@@ -24,6 +25,14 @@ std::vector<Place> places_of(int crew) {
 const Trainee* TrainingClass::find(const std::string& name) const {
     const auto found = std::ranges::find(trainees, name, &Trainee::name);
     return found == trainees.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> TrainingClass::manned() const {
+    std::vector<std::string> found;
+    std::ranges::copy_if(exercises, std::back_inserter(found), [&](const std::string& exercise) {
+        return std::ranges::find(trainees, exercise, &Trainee::exercise) != trainees.end();
+    });
+    return found;
 }
 
 namespace {
@@ -109,6 +118,15 @@ TrainingClass& ClassBook::mine(const std::string& id) {
     return *found;
 }
 
+std::string ClassBook::free_name(const std::string& wanted) const {
+    std::string name = wanted;
+    for (int i = 2; find(name) != nullptr; ++i) {
+        const std::string number = fmt::format("-{}", i);
+        name = wanted.substr(0, kLongestName - number.size()) + number;
+    }
+    return name;
+}
+
 const TrainingClass& ClassBook::open(const std::string& id, const std::string& lesson, int exercises,
                                      int crew, const std::string& code, std::int64_t now,
                                      std::vector<std::string> names, bool practice,
@@ -126,11 +144,12 @@ const TrainingClass& ClassBook::open(const std::string& id, const std::string& l
     for (const std::string& name : names)
         if (std::ranges::count(names, name) > 1)
             throw Denied(400, fmt::format("names: {} stands there twice", name));
-    if (const auto* there = find(id); there != nullptr && !there->over)
-        throw Denied(409, "there is a class of that name");
+    if (const auto* there = find(id))
+        throw Denied(409, fmt::format("{} is a class {}: {} is free", id,
+                                      there->over ? "that is over, whose results are kept" : "already",
+                                      free_name(id)));
     if (count(false, false) >= kClasses)
         throw Denied(409, fmt::format("{} classes at a time: end one", kClasses));
-    std::erase_if(classes_, [&](const TrainingClass& each) { return each.id == id; });
     TrainingClass made{.id = id,
                        .lesson = lesson,
                        .code = code,

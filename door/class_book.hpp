@@ -63,12 +63,15 @@ struct TrainingClass {
         {}; ///< its exercises go on from there, as practice; nothing: they begin anew
 
     const Trainee* find(const std::string& name) const;
+    /// Exercises in which somebody has a seat.
+    std::vector<std::string> manned() const;
 };
 
 /// One thread.
 class ClassBook {
 public:
     static constexpr int kExercises = 64, kCrew = 3; ///< of a class, at most
+    static constexpr std::size_t kLongestName = 24;  ///< letters of its id
     static constexpr std::size_t kClasses = 16;      ///< that are not over, and as many that are
     static constexpr std::size_t kLaunched = 64;     ///< the same of those that learning systems start
     static constexpr std::int64_t kGood = 24 * 3600; ///< s that a code is good for
@@ -80,9 +83,13 @@ public:
     const std::vector<TrainingClass>& classes() const { return classes_; }
     const TrainingClass* find(const std::string& id) const;
 
-    /// Opens a class. now: s since 1970. Throws Denied for an id that is no name, is one already or begins
-    /// with "replay" (in replays seats hear all), for more exercises or crew than there may be, for more
-    /// names than seats, one twice, and beyond kClasses.
+    /// A name that no class has, also none that is over: that one, or the same with a number behind it,
+    /// "sun-2".
+    std::string free_name(const std::string& wanted) const;
+
+    /// Opens a class. now: s since 1970. Throws Denied for an id that is no name, is a class's already, be it
+    /// over, or begins with "replay" (in replays seats hear all), for more exercises or crew than there may
+    /// be, for more names than seats, one twice, and beyond kClasses.
     const TrainingClass& open(const std::string& id, const std::string& lesson, int exercises, int crew,
                               const std::string& code, std::int64_t now, std::vector<std::string> names = {},
                               bool practice = false, std::optional<Moment> from = {});
@@ -98,8 +105,8 @@ public:
     /// What is left of a class that was launched and is over is kept elsewhere.
     void forget(const std::string& id);
 
-    /// Its code and its seats are nobody's any more; who sat where is kept, with what came of it, until a
-    /// class of that name is opened, or kClasses others are over.
+    /// Its code and its seats are nobody's any more; who sat where is kept, with what came of it, until
+    /// kClasses others are over.
     void end(const std::string& id);
 
     /// What is known of an exercise now; of a class that is over, too. True: another recording or outcome

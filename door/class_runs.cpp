@@ -39,18 +39,18 @@ double decided_points(const Assessment& marks) {
 
 } // namespace
 
-void ClassRuns::give(const TrainingClass& to, const wire::TopicInfo& topic, const nlohmann::json& sample,
-                     const std::string& by) {
+void ClassRuns::give(const std::vector<std::string>& exercises, const wire::TopicInfo& topic,
+                     const nlohmann::json& sample, const std::string& by) {
     try {
         gateway::encode_order(topic, sample, {.source = by});
     } catch (const gateway::Refused& refusal) {
         throw Denied(400, refusal.what());
     }
-    for (const std::string& exercise : to.exercises)
+    for (const std::string& exercise : exercises)
         if (const auto waiting = given_.find(exercise);
             waiting != given_.end() && waiting->second.size() >= kWaiting)
             throw Denied(409, "exercise " + exercise + " is not there yet, and enough waits for it");
-    for (const std::string& exercise : to.exercises)
+    for (const std::string& exercise : exercises)
         given_[exercise].push_back({&topic, sample, by});
 }
 
@@ -193,10 +193,17 @@ std::string ClassRuns::trouble(const std::string& exercise) const {
 }
 
 bool ClassRuns::at_their_moment(const TrainingClass& of) const {
-    return !of.from || std::ranges::all_of(of.exercises, [&](const std::string& exercise) {
+    return !of.from || std::ranges::all_of(of.manned(), [&](const std::string& exercise) {
         const auto found = found_.find(exercise);
         return found != found_.end() && !is_ready(found->second.exercise);
     });
+}
+
+bool ClassRuns::has_ended(const std::string& exercise) const {
+    const auto found = found_.find(exercise);
+    if (found == found_.end()) return true;
+    const RunState state = found->second.exercise.state();
+    return state == RUN_FINISHED || state == RUN_STOPPED_BY_FAULT;
 }
 
 /// A server that was lost takes up what it has kept when it is started again, and tells of it then. One of
@@ -260,9 +267,7 @@ void ClassRuns::remove_asked(gateway::Clock::time_point now) {
     std::erase_if(to_be_removed_, [&](const auto& each) { return !found_.contains(each.first); });
     for (auto& [exercise, leaving] : to_be_removed_) {
         if (leaving.since == gateway::Clock::time_point{}) leaving.since = now;
-        const RunState state = found_.at(exercise).exercise.state();
-        const bool ended = state == RUN_FINISHED || state == RUN_STOPPED_BY_FAULT;
-        if (!ended && now - leaving.since < kEnds) continue;
+        if (!has_ended(exercise) && now - leaving.since < kEnds) continue;
         if (instructor_.recording_of(exercise)) {
             if (!std::exchange(leaving.recorded, true)) instructor_.record(exercise, false);
             continue;

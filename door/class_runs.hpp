@@ -17,11 +17,11 @@ public:
     ClassRuns(gateway::Gateway& instructor, gateway::SharedReaders readers)
         : instructor_{instructor}, readers_{std::move(readers)} {}
 
-    /// An instructor's order to all exercises of a class, by somebody's name: a command of the exercise, a
+    /// An instructor's order to exercises of a class, by somebody's name: a command of the exercise, a
     /// fault, words of the bridge; as encode_order() takes it. Throws Denied where it cannot be such a
     /// sample, and where too many wait for an exercise that no server has yet.
-    void give(const TrainingClass& to, const wire::TopicInfo& topic, const nlohmann::json& sample,
-              const std::string& by);
+    void give(const std::vector<std::string>& exercises, const wire::TopicInfo& topic,
+              const nlohmann::json& sample, const std::string& by);
 
     /// No class has these any more: they are ended, by somebody's name, and removed.
     void remove(const std::vector<std::string>& exercises, const std::string& by);
@@ -29,9 +29,12 @@ public:
     /// Twice a second is enough.
     void tick(const std::vector<TrainingClass>& classes, gateway::Clock::time_point now);
 
-    /// Whether each of a class's exercises stands at the moment from which it is to go on; of a class that
-    /// begins anew they do.
+    /// Whether each of a class's exercises in which somebody sits stands at the moment from which it is to go
+    /// on; of a class that begins anew they do.
     bool at_their_moment(const TrainingClass& of) const;
+
+    /// It has ended, and is marked; or no server has it.
+    bool has_ended(const std::string& exercise) const;
 
     /// As servers tell it; nothing: there is none of that name yet.
     std::optional<ClassroomExercise> told(const std::string& exercise) const;

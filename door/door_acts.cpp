@@ -321,7 +321,8 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
         std::string code = make_code();
         while (book_.with_code(code, unix_s()) != nullptr)
             code = make_code();
-        for (int i = 1; i <= ClassBook::kExercises; ++i)
+        const bool is_class = book_.find(id) != nullptr; // the book says which name is free
+        for (int i = 1; i <= ClassBook::kExercises && !is_class; ++i)
             if (runs_.told(fmt::format("{}-{}", id, i)))
                 throw Denied(409, "there are exercises of that name still: choose another, or wait");
         const json practice_asked = asked.value("practice", json(false));
@@ -339,10 +340,16 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
         if (practice) done["practice"] = true;
         if (from) done["from"] = from->recording;
     } else if (what == "start" || what == "pause") {
-        if (what == "start" && !runs_.at_their_moment(under_way()))
+        const TrainingClass& its_class = under_way();
+        const bool start = what == "start";
+        // Of an exercise in which nobody sits yet the time would run out on who comes late.
+        const auto exercises = start ? its_class.manned() : its_class.exercises;
+        if (exercises.empty())
+            throw Denied(409, "nobody sits in this class yet: an exercise is started once somebody does");
+        if (start && !runs_.at_their_moment(its_class))
             throw Denied(409, "not all exercises stand at their moment yet: wait");
-        runs_.give(under_way(), wire::topics::exercise_command,
-                   {{"action", what == "start" ? "EXERCISE_START" : "EXERCISE_PAUSE"}}, who.staff->name);
+        runs_.give(exercises, wire::topics::exercise_command,
+                   {{"action", start ? "EXERCISE_START" : "EXERCISE_PAUSE"}}, who.staff->name);
     } else if (what == "give") {
         const TrainingClass& its_class = under_way();
         const std::string topic = text_of(asked, "topic");
@@ -353,14 +360,13 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
                                                                : static_cast<const wire::TopicInfo*>(nullptr);
         if (found == nullptr) throw Denied(400, "topic: FaultCommand or BridgeOrderCommand");
         if (sample == asked.end() || !sample->is_object()) throw Denied(400, "sample: an object is expected");
-        runs_.give(its_class, *found, *sample, who.staff->name);
+        runs_.give(its_class.exercises, *found, *sample, who.staff->name);
         done.update({{"topic", topic}, {"sample", *sample}});
     } else if (what == "end") {
-        const TrainingClass& its_class = under_way();
-        for (const Trainee& each : its_class.trainees)
-            send_away(each.key, "the class is over: your instructor has your marks and the debriefing");
-        runs_.remove(its_class.exercises, who.staff->name);
+        const TrainingClass its_class = under_way(); // its keys are nobody's afterwards
         book_.end(id);
+        runs_.remove(its_class.exercises, who.staff->name);
+        part_with(its_class);
     } else if (what == "move") {
         const auto place = place_named(text_of(asked, "place"));
         if (!place) throw Denied(400, "place: ship, forecastle, bridge or watch");

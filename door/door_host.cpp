@@ -127,6 +127,7 @@ void DoorHost::tick(gateway::Clock::time_point now) {
     turn_out_kiosks();
     runs_.tick(book_.classes(), now);
     note_results();
+    see_out(now);
     keep_attempts();
     tend_launches(now);
 }

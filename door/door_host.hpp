@@ -66,6 +66,10 @@ const char* cookie_name(Way way);
 /// The same of a device that stands at one seat.
 const char* kiosk_cookie_name(Way way);
 
+/// Close codes of a WebSocket that has a seat no more: the page asks where its browser belongs now; after the
+/// second it may show its marks until they are read.
+constexpr int kSentAway = 4001, kMayRead = 4002;
+
 class DoorHost final : public gateway::Host {
 public:
     static constexpr std::size_t kLinks = 6; ///< WebSockets of one browser at a time: the pages of its seat
@@ -107,7 +111,9 @@ private:
     gateway::Verdict file(const std::string& path, const Who& who) const;
     gateway::Verdict link(const gateway::Request& request, const Who& who);
     std::vector<Link>& links(const std::string& key);
-    void send_away(const std::string& key, const std::string& why);
+    void send_away(const std::string& key, const std::string& why, int code = kSentAway);
+    void part_with(const TrainingClass& its_class);
+    void see_out(gateway::Clock::time_point now);
 
     // Questions and acts, as JSON (door_acts.cpp).
     void ask(const std::string& target, const Who& who, const Reply& reply);
@@ -175,6 +181,12 @@ private:
     std::map<std::string, std::vector<Link>> links_; // by key
     std::map<std::string, std::string>
         turned_away_; // address that was told last that it is elsewhere, by key
+    /// Who sat in a class that is over, until the marks have come.
+    struct Leaver {
+        std::string key, exercise;
+        gateway::Clock::time_point until; // no longer than that
+    };
+    std::vector<Leaver> leavers_;
     gateway::Clock::time_point next_look_{};
     std::set<std::string> asked_for_history_; // recordings, by this program: each once
     SlowWork slow_;

@@ -12,11 +12,14 @@ namespace windlass::door {
 using gateway::Asset;
 using gateway::refused;
 using gateway::Verdict;
+using namespace std::chrono_literals;
 
 namespace {
 
-constexpr int kSentAway = 4001; // close code: the page asks where its browser belongs now
 constexpr const char* kSubprotocol = "windlass.v1";
+constexpr const char* kClassIsOver = "the class is over: your instructor has your marks and the debriefing";
+constexpr auto kSeenOut = 12s;  // for which a seat waits at most for its exercise to end
+constexpr auto kMarksCome = 1s; // after which its marks are there
 
 Verdict go_to(const std::string& place) {
     return {.kind = Verdict::Kind::answer,
@@ -78,10 +81,31 @@ std::vector<DoorHost::Link>& DoorHost::links(const std::string& key) {
     return open;
 }
 
-void DoorHost::send_away(const std::string& key, const std::string& why) {
+void DoorHost::send_away(const std::string& key, const std::string& why, int code) {
     for (const Link& each : links(key))
-        if (const auto session = each.session.lock()) session->end(kSentAway, why);
+        if (const auto session = each.session.lock()) session->end(code, why);
     links_.erase(key);
+}
+
+/// Its seats are nobody's any more. Who sits at a screen of their own hears the marks first; a device waits
+/// for its next class at once, and a learner is led back to the course.
+void DoorHost::part_with(const TrainingClass& its_class) {
+    for (const Trainee& each : its_class.trainees)
+        if (its_class.launch.empty() && kiosks_.with_key(each.key) == nullptr)
+            leavers_.push_back(
+                {.key = each.key, .exercise = each.exercise, .until = gateway::Clock::now() + kSeenOut});
+        else
+            send_away(each.key, kClassIsOver);
+}
+
+void DoorHost::see_out(gateway::Clock::time_point now) {
+    for (Leaver& each : leavers_)
+        if (runs_.has_ended(each.exercise)) each.until = std::min(each.until, now + kMarksCome);
+    std::erase_if(leavers_, [&](const Leaver& each) {
+        if (now < each.until) return false;
+        send_away(each.key, kClassIsOver, kMayRead);
+        return true;
+    });
 }
 
 Verdict DoorHost::link(const gateway::Request& request, const Who& who) {

@@ -240,7 +240,8 @@ void DoorHost::tend_launch(const TrainingClass& its_class, gateway::Clock::time_
     const auto* session = outbox_.find(its_class.launch);
     if (session != nullptr && !session->started && open && watched.recorded &&
         now - *watched.recorded >= kHears) {
-        runs_.give(its_class, wire::topics::exercise_command, {{"action", "EXERCISE_START"}}, "door");
+        runs_.give(its_class.exercises, wire::topics::exercise_command, {{"action", "EXERCISE_START"}},
+                   "door");
         cmi5::Session begun = *session;
         begun.started = true;
         outbox_.put(std::move(begun));

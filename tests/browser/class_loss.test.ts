@@ -9,7 +9,7 @@ import { after, before, test } from "node:test";
 
 import type { Page } from "playwright-core";
 
-import { type TestPage, closeBrowser, openPage } from "./browser";
+import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
 import { firstOwner, hadNoProblems, openClass, passesAxe } from "./pages";
 import { type Program, Rig, eventually, sleep } from "./rig";
 
@@ -45,6 +45,11 @@ before(async () => {
   await deck.locator("input[name=name]").fill("ben");
   await on(deck, "Take a seat").click();
   await deck.waitForURL(/\/forecastle$/);
+  const other = await openPage(`${door.url}?code=${code}`, tls); // an exercise is started where somebody has a seat
+  await other.locator("input[name=name]").fill("carl");
+  await on(other, "Take a seat").click();
+  await other.waitForURL(/\/forecastle$/);
+  await closePage(other);
 });
 after(async () => {
   await closeBrowser();

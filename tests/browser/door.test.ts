@@ -18,7 +18,7 @@ const picture = process.env.WINDLASS_DOOR_PICTURES; // a folder, to look at the 
 const tls = { ignoreHTTPSErrors: true }; // its authority is nobody's yet
 let folder: string, code: string;
 let door: Awaited<ReturnType<Rig["door"]>>;
-let owner: TestPage, phone: TestPage, tablet: TestPage;
+let owner: TestPage, phone: TestPage, tablet: TestPage, late: TestPage;
 
 const on = (page: TestPage, name: string) => page.getByRole("button", { name, exact: true });
 const look = async (page: Page, name: string) => {
@@ -125,22 +125,34 @@ test("who is moved is sent to the other seat, and who sat there changes places",
   await tablet.waitForURL(/\/forecastle$/);
 });
 
-test("they are started together", async () => {
+test("they are started together, and the exercise in which nobody sits once somebody does", async () => {
+  const stand = async (...words: string[]) => {
+    const states = await owner.locator(".exercises .state").allTextContents();
+    return states.length === words.length && states.every((state, i) => state.startsWith(words[i]));
+  };
+  const waits = async () => (await owner.locator(".bar .waits").allTextContents()).join();
   await on(owner, "Start all").click();
-  await eventually("both run", async () =>
-    (await owner.locator(".exercises .state").allTextContents()).every((state) => state.startsWith("running")),
-  );
+  await eventually("theirs runs", () => stand("running", "ready"));
+  await eventually("the other waits", async () => (await waits()) === "1 exercise waits: nobody sits in it");
+  await passesAxe(owner);
+  late = await takeSeat("dora", { width: 1024, height: 768 });
+  await eventually("it can begin", async () => (await waits()) === "1 exercise waits for Start all");
+  await on(owner, "Start all").click();
+  await eventually("both run", () => stand("running", "running"));
+  await eventually("and nothing waits", async () => (await waits()) === "");
   await eventually("and the seats see it", async () => /running/.test(await tablet.locator(".top-bar").textContent()));
   await look(tablet, "forecastle_1024");
 });
 
 test("words and a fault are given to all of them", async () => {
+  const notice = () => owner.locator(".class > .notice").textContent();
   await on(owner, "Say to all").click();
   await owner.locator("input[aria-label='words to all']").fill("mind the lead");
   await look(owner, "say_to_all");
   await passesAxe(owner);
   await on(owner, "Say it").click();
   await owner.locator(".to-all").waitFor({ state: "detached" });
+  await eventually("it is confirmed", async () => (await notice()) === "“mind the lead” said in 2 exercises");
   await eventually("it is heard", async () => /mind the lead/.test(await tablet.locator("body").textContent()));
   await on(owner, "Fault to all").click();
   await owner.locator("select[aria-label=fault]").selectOption("load-cell-dead");
@@ -148,6 +160,8 @@ test("words and a fault are given to all of them", async () => {
   await passesAxe(owner);
   await on(owner, "Break it").click();
   await owner.locator(".to-all").waitFor({ state: "detached" });
+  await eventually("it is confirmed", async () => (await notice()) === "load cell dead in 2 exercises");
+  await eventually("for a while", async () => (await notice()) === "");
 });
 
 test("the page of the class has a small picture of each forecastle", async () => {
@@ -163,6 +177,23 @@ test("the page of the class has a small picture of each forecastle", async () =>
   await owner.getByRole("button", { name: "CCTV on" }).click();
   assert.equal(await pictures.first().isVisible(), false);
   await owner.getByRole("button", { name: "CCTV off" }).click();
+});
+
+test("of a lesson that is over the class says so, and who has the marks there is not at work", async () => {
+  const second = owner.locator("[data-exercise]").nth(1);
+  const its = new Rig(await second.getAttribute("data-exercise"));
+  await its.say("stop", "--timeout", "20");
+  await its.end();
+  await eventually("it is over", async () =>
+    /^lesson over, \d+ points, not shown/.test(await second.locator(".state").textContent()),
+  );
+  await eventually("she is there", async () => (await second.locator(".here").textContent()) === "here");
+  await eventually("two are at work", async () =>
+    /3 of 4 seats taken, 2 at work/.test(await owner.locator(".bar .said").textContent()),
+  );
+  await look(owner, "class_lesson_over");
+  hadNoProblems(late);
+  await closePage(late);
 });
 
 test("a seat that is freed sends its browser to the door", async () => {
@@ -231,6 +262,11 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await row.waitFor();
   await owner.keyboard.up("Enter");
   await eventually("marked", async () => /points, not/.test(await row.locator(".marks").textContent()));
+  const over = tablet.locator(".own-marks .class-over"); // her lesson was still going: she has her marks all the same
+  await over.waitFor();
+  await look(tablet, "class_over_seat");
+  await passesAxe(tablet);
+  await over.getByRole("link").click();
   await owner.setViewportSize({ width: 1280, height: 800 });
   await eventually("what she is to practise next", async () =>
     /for practice.*not (yet|shown)/.test(await row.locator(".next").textContent()),
@@ -292,6 +328,10 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await look(owner, "class_next");
   await tablet.locator("input[name=code]").waitFor();
   assert.match(await tablet.locator(".notice").textContent(), /^(The class is over|Die Klasse ist beendet)/);
+  const first = (await owner.locator(".tabs button").first().textContent()).replace(", over", "");
+  await owner.goto(new URL("/class", door.url).href);
+  const name = await owner.getByRole("textbox", { name: "Name of the class" }).inputValue();
+  assert.equal(name, `${first}-2`, "that of a class that is over is taken");
   for (const page of [owner, tablet, phone]) hadNoProblems(page);
 });
 
@@ -309,4 +349,29 @@ test("of an exercise that its server does not make the class says so", async () 
   );
   await look(owner, "class_hindered");
   await passesAxe(owner);
+});
+
+test("a class with a list offers its names, and who is in haste is none of them", async () => {
+  const names = ["emil", "fritz"];
+  const asked = { do: "open", class: "listed", lesson: "let_go_port_25m", exercises: 1, crew: 2, names };
+  const its = await owner.evaluate(async (body) => {
+    const headers = { "Content-Type": "application/json" };
+    const answer = await fetch("/door/class", { method: "POST", headers, body });
+    const { classes } = (await answer.json()) as { classes: { id: string; code: string }[] };
+    return classes.find(({ id }) => id === "listed").code;
+  }, JSON.stringify(asked));
+  const page = await openPage(`${door.url}?code=${its}`, tls);
+  const list = page.locator("select[name=listed]");
+  await list.waitFor();
+  assert.equal(await list.inputValue(), "");
+  await on(page, "Take a seat").click();
+  assert.equal(await list.evaluate((select: HTMLSelectElement) => select.validity.valueMissing), true);
+  await passesAxe(page);
+  await look(page, "join_listed");
+  await list.press("f"); // as a hand chooses it: Playwright takes an option under a browser's own hint for disabled
+  assert.equal(await list.inputValue(), "fritz");
+  await on(page, "Take a seat").click();
+  await page.waitForURL(/\/forecastle$/);
+  hadNoProblems(page);
+  await closePage(page);
 });

@@ -76,6 +76,33 @@ for (const [name, sign] of Object.entries(heard))
     await closePage(page);
   });
 
+test("an order that waits on the forecastle is in sight with its state and its button, at every size", async () => {
+  const page = await open("forecastle");
+  const close = page.getByRole("button", { name: "Schließen" });
+  await eventually("its briefing has opened by itself", () => close.isVisible());
+  await close.click();
+  await rig.say("order", "hold-on", "6", "--side", "port");
+  const order = page.locator(".orders li").first();
+  await eventually("it waits", () => order.getByText("noch nicht wiederholt").isVisible());
+  for (const [width, height] of kSizes) {
+    await page.setViewportSize({ width, height });
+    const hidden = await order.evaluate((row: HTMLElement) => {
+      const kSlack = 3; // px
+      const around = row.closest(".orders").getBoundingClientRect();
+      return [...row.children]
+        .filter((part) => {
+          const { left, right, bottom } = part.getBoundingClientRect();
+          const cut = part.scrollWidth > part.clientWidth + kSlack || part.scrollHeight > part.clientHeight + kSlack;
+          return cut || left < around.left || right > around.right || bottom > around.bottom + kSlack;
+        })
+        .map((part) => part.textContent);
+    });
+    assert.deepEqual(hidden, [], `${width}x${height}`);
+  }
+  hadNoProblems(page);
+  await closePage(page);
+});
+
 test("another language is chosen among the units, and not out of a hand that is on levers", async () => {
   const page = await open("forecastle");
   const language = () => page.locator("html").getAttribute("lang");

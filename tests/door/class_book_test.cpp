@@ -142,15 +142,50 @@ TEST_F(Booked, WhoSatWhereAndWhatCameOfItOutlivesTheClass) {
     EXPECT_TRUE(book_.note("mon", "mon-1", {"mon-1-18", 74, "achieved"}));
     EXPECT_FALSE(book_.find("mon")->results.at("mon-1").in_history) << "that is another attempt";
     EXPECT_FALSE(book_.note("tue", "tue-1", {}));
-    book_.open("mon", "L02", 1, 1, "GHJKLM", kNow);
-    EXPECT_EQ(book_.find("mon")->find("anna"), nullptr) << "a new class of that name";
-    EXPECT_TRUE(book_.find("mon")->results.empty());
+    EXPECT_EQ(status_of([&] { book_.open("mon", "L02", 1, 1, "GHJKLM", kNow); }), 409);
+    EXPECT_EQ(book_.find("mon")->results.at("mon-1").recording, "mon-1-18") << "no new class takes it away";
     for (std::size_t i = 0; i <= ClassBook::kClasses; ++i) {
         book_.open("c" + std::to_string(i), "L01", 1, 1, "X" + std::to_string(i), kNow);
         book_.end("c" + std::to_string(i));
     }
-    EXPECT_EQ(book_.find("c0"), nullptr) << "the oldest that is over";
+    EXPECT_EQ(book_.find("mon"), nullptr) << "the oldest that is over";
+    EXPECT_EQ(book_.find("c0"), nullptr) << "and the next";
     EXPECT_NE(book_.find("c1"), nullptr);
+    EXPECT_EQ(status_of([&] { book_.open("mon", "L02", 1, 1, "GHJKLM", kNow); }), 0) << "free again";
+}
+
+TEST_F(Booked, ANameThatAClassHasIsRefusedWithOneThatIsFree) {
+    const auto refusal = [&](const std::string& id) -> std::string {
+        try {
+            book_.open(id, "L02", 1, 1, "GHJKLM", kNow);
+        } catch (const Denied& denied) {
+            return denied.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(book_.free_name("tue"), "tue");
+    EXPECT_EQ(refusal("mon"), "mon is a class already: mon-2 is free");
+    book_.end("mon");
+    EXPECT_EQ(refusal("mon"), "mon is a class that is over, whose results are kept: mon-2 is free");
+    EXPECT_EQ(refusal("mon-2"), "");
+    EXPECT_EQ(book_.free_name("mon"), "mon-3");
+    const std::string longest(ClassBook::kLongestName, 'x');
+    EXPECT_EQ(refusal(longest), "");
+    const std::string next = book_.free_name(longest);
+    EXPECT_EQ(next, std::string(ClassBook::kLongestName - 2, 'x') + "-2");
+    EXPECT_EQ(refusal(next), "") << "it is a name that may be had";
+}
+
+TEST_F(Booked, AnExerciseIsMannedOnceSomebodyHasASeatInIt) {
+    const auto manned = [&] { return book_.find("mon")->manned(); };
+    EXPECT_TRUE(manned().empty());
+    for (const char* name : {"anna", "ben"})
+        book_.join("mon", name, name);
+    EXPECT_THAT(manned(), ElementsAre("mon-1")) << "once, of two who sit there";
+    book_.join("mon", "carl", "k3");
+    EXPECT_THAT(manned(), ElementsAre("mon-1", "mon-2"));
+    book_.remove("mon", "carl");
+    EXPECT_THAT(manned(), ElementsAre("mon-1"));
 }
 
 TEST_F(Booked, AClassIsATableOfItsSeats) {

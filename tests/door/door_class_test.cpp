@@ -34,6 +34,7 @@ TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver)
     EXPECT_EQ(exercise(1)["recording"], "") << "nobody sits there";
     EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}).status, 200);
     ASSERT_TRUE(eventually([&] { return exercise(0)["time"] > 1.0; }));
+    EXPECT_TRUE(exercise(1)["state"] == RUN_READY) << "it waits for who comes late";
     ASSERT_TRUE(eventually([&] { return exercise(0)["points"].is_number(); }));
     EXPECT_EQ(exercise(0)["points"], 0)
         << "nobody has done anything: limits that are kept so far earn nothing";
@@ -85,6 +86,52 @@ TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver)
         EXPECT_EQ(owner().get("/door/debriefing?recording=" + other).status, 404) << other;
     EXPECT_EQ(owner().get("/door/marks.csv?class=tue").status, 404);
     EXPECT_EQ(browser().get("/door/marks.csv?class=mon").status, 401);
+    // A second class of the day takes nothing from the first.
+    const Answer again = owner().post(
+        "/door/class",
+        {{"do", "open"}, {"class", "mon"}, {"lesson", "L01_let_go_25m"}, {"exercises", 1}, {"crew", 1}});
+    EXPECT_EQ(again.status, 409);
+    EXPECT_THAT(again.body, HasSubstr("mon-2 is free"));
+    EXPECT_EQ(owner().get("/door/debriefing?recording=" + recording).status, 200);
+    open_class("mon-2", 1, 1, "L01_let_go_25m");
+    EXPECT_EQ(exercise(0)["seats"][0]["name"], "ben");
+}
+
+TEST_F(Class, IsStartedWhereSomebodySitsAndElsewhereOnceSomebodyDoes) {
+    const std::string code = open_class("mon", 2, 1);
+    expect_made("mon");
+    const auto start = [this] { return owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}); };
+    const auto stands = [this](int i, RunState state) {
+        return class_told("mon")["exercises"][i]["state"] == state;
+    };
+    const Answer refused = start();
+    EXPECT_EQ(refused.status, 409);
+    EXPECT_THAT(refused.body, HasSubstr("nobody sits in this class yet"));
+    Browser ben = trainee(code, "ben"); // and his page is not open
+    EXPECT_EQ(start().status, 200);
+    EXPECT_TRUE(eventually([&] { return stands(0, RUN_RUNNING); })) << class_told("mon");
+    EXPECT_TRUE(stands(1, RUN_READY)) << "else its lesson would be over before somebody comes";
+    Browser carl = trainee(code, "carl");
+    EXPECT_EQ(start().status, 200);
+    EXPECT_TRUE(eventually([&] { return stands(1, RUN_RUNNING); })) << class_told("mon");
+    EXPECT_TRUE(stands(0, RUN_RUNNING)) << "which goes on";
+}
+
+TEST_F(Class, WhoseLessonWasStillGoingHearsTheMarksBeforeTheSeatEnds) {
+    const std::string code = open_class("mon", 1, 1, "L01_let_go_25m");
+    expect_made("mon");
+    Browser ben = trainee(code, "ben");
+    const auto page = ben.open("page=forecastle");
+    ASSERT_TRUE(eventually([&] { return !page->samples("ForecastleView").empty(); })) << door_->text();
+    EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}).status, 200);
+    ASSERT_TRUE(eventually([&] { return class_told("mon")["exercises"][0]["time"] > 1.0; }));
+    EXPECT_EQ(owner().post("/door/class", {{"do", "end"}, {"class", "mon"}}).status, 200);
+    EXPECT_EQ(ben.upgrade("page=forecastle"), 401) << "the seat is nobody's at once";
+    ASSERT_TRUE(eventually([&] { return page->closed().has_value(); }));
+    EXPECT_EQ(page->closed(), 4002) << "he may read on";
+    const auto told = page->all<Assessment>("SeatAssessment");
+    ASSERT_FALSE(told.empty());
+    EXPECT_EQ(told.back().outcome().to_string(), "not_shown");
 }
 
 TEST_F(Class, GoesOnFromAMomentOfAnAttemptAndIsPracticeThen) {
@@ -111,7 +158,7 @@ TEST_F(Class, GoesOnFromAMomentOfAnAttemptAndIsPracticeThen) {
     const Answer opened = owner().post("/door/class", asked);
     ASSERT_EQ(opened.status, 200) << opened.body;
     EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "tue"}}).status, 409)
-        << "it stands at its beginning, or is not there yet";
+        << "nobody sits there";
     ASSERT_TRUE(eventually([&] { return exercise("tue")["state"] == RUN_PAUSED; })) << door_->text();
     const double there = exercise("tue")["time"];
     EXPECT_GT(there, 0.5);
@@ -147,6 +194,10 @@ TEST_F(Class, SaysWhyItDoesNotStandAtItsMoment) {
         return exercise("tue")["trouble"].get<std::string>().find("this moment of it") != std::string::npos;
     })) << exercise("tue")
         << door_->text();
+    Browser carl = trainee(class_told("tue")["code"], "carl");
+    const Answer refused = owner().post("/door/class", {{"do", "start"}, {"class", "tue"}});
+    EXPECT_EQ(refused.status, 409);
+    EXPECT_THAT(refused.body, HasSubstr("at their moment"));
 }
 
 TEST_F(Class, SaysThatAServerHasNotMadeIt) {
@@ -201,7 +252,7 @@ TEST_P(KeptClass, StandsWhereItStoodWhenItsServerWasKilledAndIsStartedTogetherAg
     };
     ASSERT_TRUE(eventually([&] { return all([](const auto& each) { return !each["state"].is_null(); }); }))
         << door_->text();
-    Browser ben = trainee(code, "ben");
+    Browser ben = trainee(code, "ben"), carl = trainee(code, "carl");
     const auto give = [this](const char* order) {
         EXPECT_EQ(owner().post("/door/class", {{"do", order}, {"class", "mon"}}).status, 200);
     };

@@ -338,7 +338,15 @@ TEST_F(TraineeAtTheDoor, WhoseNetworkIsGoneInALetGoLeavesTheLeversAsAHandDoesAnd
 }
 
 TEST_F(TraineeAtTheDoor, AClassIsStartedTogetherAndGoesOnWithoutTheDoor) {
-    Browser ben = trainee(code_, "ben");
+    Browser ben = trainee(code_, "ben"), carl = trainee(code_, "carl");
+    EXPECT_EQ(owner()
+                  .post("/door/class", {{"do", "move"},
+                                        {"class", "mon"},
+                                        {"name", "carl"},
+                                        {"exercise", "mon-2"},
+                                        {"place", "forecastle"}})
+                  .status,
+              200);
     EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}).status, 200);
     const auto all = [&](int state) {
         const auto told = class_told("mon");
@@ -365,7 +373,7 @@ TEST_F(TraineeAtTheDoor, AClassIsStartedTogetherAndGoesOnWithoutTheDoor) {
     EXPECT_EQ(owner_->post("/door/class", {{"do", "pause"}, {"class", "mon"}}).status, 200);
     EXPECT_TRUE(eventually([&] { return all(RUN_PAUSED); }));
     EXPECT_EQ(owner_->post("/door/class", {{"do", "end"}, {"class", "mon"}}).status, 200);
-    EXPECT_TRUE(eventually([&] { return page->closed() == 4001; }));
+    EXPECT_TRUE(eventually([&] { return page->closed() == 4002; }));
     EXPECT_TRUE(eventually([&] { // and the exercises are gone
         const double last = time;
         pace(std::chrono::milliseconds(200));

@@ -2,8 +2,8 @@
 // server lets through what hand signals and the bell tell.
 
 import { begins, leave } from "../kit/branch";
-import { orderState, written } from "../kit/orders";
-import { reportText, withSide, eventText } from "../kit/words";
+import { orderState, wasSaidAgain, written } from "../kit/orders";
+import { besideSide, eventText, reportText } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { type BridgeOrder, BridgeOrderState, EventSeverity, type Report, type SeatEvent } from "../wire/generated";
 
@@ -124,7 +124,7 @@ export class Line {
     const heard = {
       report,
       time,
-      text: withSide(report.side, reportText(report)),
+      text: besideSide(report.side, reportText(report)),
       left: false,
       fresh: time > now - kFresh,
     };
@@ -151,8 +151,8 @@ export class Line {
   }
 }
 
-/** State of an order, with a sign of its own: never by colour alone. */
-export function stateWords(state: BridgeOrderState): string {
+/** State of an order, with a sign of its own: never by colour alone. all: orders that it was given among. */
+export function stateWords(order: BridgeOrder, all: readonly BridgeOrder[]): string {
   const signs: Record<BridgeOrderState, string> = {
     [BridgeOrderState.ORDER_GIVEN]: "\u2026",
     [BridgeOrderState.ORDER_REPEATED]: "\u2713",
@@ -160,5 +160,6 @@ export function stateWords(state: BridgeOrderState): string {
     [BridgeOrderState.ORDER_NOT_REPEATED]: "!",
     [BridgeOrderState.ORDER_CANCELLED]: "\u2715",
   };
-  return `${signs[state]} ${orderState(state)}`;
+  const sign = wasSaidAgain(order, all) ? signs[BridgeOrderState.ORDER_NOT_REPEATED] : signs[order.state];
+  return `${sign} ${orderState(order, all)}`;
 }

@@ -249,8 +249,9 @@ export class OrderPanel {
   private stateOf({ order }: Said): string {
     if (!order) return "";
     const number = t("no. {number}", { number: order.number });
-    if (order.state !== BridgeOrderState.ORDER_GIVEN) return `${number} ${stateWords(order.state)}`;
+    const words = `${number} ${stateWords(order, this.line.orders())}`;
+    if (order.state !== BridgeOrderState.ORDER_GIVEN) return words;
     if (order.repeat_by === 0) return number;
-    return t("{order}, by {time}", { order: `${number} ${stateWords(order.state)}`, time: clock(order.repeat_by) });
+    return t("{order}, by {time}", { order: words, time: clock(order.repeat_by) });
   }
 }

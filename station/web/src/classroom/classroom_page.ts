@@ -32,7 +32,10 @@ class Classroom {
     const all = (on: boolean): void => this.tiles.forEach((tile) => (tile.chosen = on));
     const button = (text: string, act: () => void): HTMLButtonElement =>
       h("button", { class: "plain", onclick: act }, text);
-    page.topBar.middle.append(h("a", { class: "plain", href: pageAddress("/lessons") }, t("Lessons")));
+    page.topBar.middle.append(
+      ...(page.link.byDoor ? [h("a", { class: "plain", href: "/class" }, t("Class"))] : []),
+      h("a", { class: "plain", href: pageAddress("/lessons") }, t("Lessons")),
+    );
     page.root.classList.add("classroom");
     page.root.append(
       h(

@@ -24,8 +24,6 @@ import { AnchorPhase } from "../wire/generated";
 import type { Desk } from "./desk";
 import { t } from "../kit/language";
 
-export const anchorPhase = (phase: AnchorPhase): string => saidOf("AnchorPhase", phase);
-
 export interface Row {
   label: string;
   /** A measure: the unit that is chosen of it. */
@@ -122,7 +120,7 @@ export const truthRows: readonly Row[] = [
     unit: "",
     is: (l, s) => {
       const phase = anchor(l, s)?.phase;
-      return phase === undefined ? "-" : anchorPhase(phase);
+      return phase === undefined ? "-" : saidOf("AnchorPhase", phase);
     },
     warns: (l, s) =>
       [AnchorPhase.ANCHOR_DRAGGING, AnchorPhase.ANCHOR_FOULED, AnchorPhase.ANCHOR_LOST].includes(

@@ -79,7 +79,7 @@ export interface NextOfClass {
 
 export type PlaceName = "ship" | "forecastle" | "bridge" | "watch";
 export const placeWords: Readonly<Record<PlaceName, string>> = {
-  ship: t("ship|seat"),
+  ship: t("both|seat"),
   forecastle: t("forecastle"),
   bridge: t("bridge"),
   watch: t("watch|seat"),
@@ -133,6 +133,11 @@ export interface Classes {
   names: string[];
   /** Where they do, by TLS. */
   port: number;
+}
+
+/** Exercise files. */
+export interface Lessons {
+  files: { name: string; title: string; lesson: string | null }[];
 }
 
 async function answered<T>(answer: Response): Promise<T> {

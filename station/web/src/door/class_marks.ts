@@ -30,14 +30,17 @@ const againFrom = (one: Next, from: From, open: Open): HTMLElement =>
     t("Again from {time}", { time: clock(from.time) }),
   );
 
-/** "Let go in 25 m, for practice", and why. */
-function nextWords({ title, why, practice }: Next): (Node | string)[] {
-  return [
-    h("span", { lang: "en" }, title),
-    ...(practice ? [`, ${t("for practice")}`] : []),
-    h("span", { class: "quiet", lang: "en" }, why),
-  ];
-}
+/** "Let go in 25 m, for practice". */
+export const lessonWords = (title: string, practice: boolean): (Node | string)[] => [
+  h("span", { lang: "en" }, title),
+  ...(practice ? [`, ${t("for practice")}`] : []),
+];
+
+/** The same, and why. */
+const nextWords = ({ title, why, practice }: Next): (Node | string)[] => [
+  ...lessonWords(title, practice),
+  h("span", { class: "quiet", lang: "en" }, why),
+];
 
 /** Those who are to do the same next, in the order of their lessons. */
 export function together(all: Next[]): Next[][] {
@@ -79,8 +82,8 @@ const tellNext: typeof fillNext = (...of) => fillNext(...of).catch(() => {});
 /** Begins a class of those who are to do the same next. */
 export type Open = (group: Next[], from?: From) => void;
 
-/** A class that is over. open: nothing, for who may open none. */
-export function classMarks(it: TrainingClass, open?: Open): HTMLElement {
+/** A class that is over. title: of its lesson. open: nothing, for who may open none. */
+export function classMarks(it: TrainingClass, title: string, open?: Open): HTMLElement {
   const cells = new Map<string, HTMLElement>();
   const list = h("p", { class: "row next" });
   const nextOf = (name: string): HTMLElement => {
@@ -115,7 +118,7 @@ export function classMarks(it: TrainingClass, open?: Open): HTMLElement {
   return h(
     "section",
     { class: "panel class-marks" },
-    h("h2", {}, `${it.id}: ${it.practice ? t("{lesson} for practice", { lesson: it.lesson }) : it.lesson}`),
+    h("h2", {}, `${it.id}: `, ...lessonWords(title, it.practice)),
     h(
       "table",
       {},

@@ -12,6 +12,7 @@ import {
   type Classes,
   type Me,
   type From,
+  type Lessons,
   type Next,
   type Seat,
   type TrainingClass,
@@ -19,7 +20,7 @@ import {
   ask,
   placeWords,
 } from "./ask";
-import { classMarks, marksOf } from "./class_marks";
+import { classMarks, lessonWords, marksOf } from "./class_marks";
 import { frame } from "./frame";
 import { kiosks } from "./kiosks";
 import { type NewClass, newClass } from "./new_class";
@@ -31,6 +32,7 @@ const kNoServer = t(
   "No server is heard. What it has kept is back with it where it stood; what it has not is made then.",
 );
 const kLook = 1000; // ms
+const kConfirmed = 8000; // ms for which it is said that something was given
 const kKiosks = "/"; // among the tabs; no class is called so
 const kHttps = 443; // which no address names
 const kGrouped = /(...)(?=.)/g;
@@ -56,6 +58,8 @@ class ClassPage {
   private readonly said = h("span", { class: "said" });
   /** Of the class that is looked at, by exercise. */
   private readonly tiles = new Map<string, { state: HTMLElement; trouble: HTMLElement; seats: HTMLElement }>();
+  /** Of lessons, by file. */
+  private readonly titles = new Map<string, string>();
   private readonly cctv = new CctvPictures(new Connection(""));
   /** Of each part, what it was made of. */
   private readonly made = new Map<HTMLElement, string>();
@@ -71,10 +75,16 @@ class ClassPage {
     owns: boolean,
   ) {
     if (owns) this.devices = kiosks(() => address(this.known));
-    this.newClass = newClass((classes) => {
-      this.chosen = classes.classes.at(-1)?.id;
-      this.show(classes);
-    });
+    const lessons = ask<Lessons>("lessons");
+    void lessons.then(({ files }) => files.forEach(({ name, title }) => this.titles.set(name, title || name)));
+    this.newClass = newClass(
+      lessons,
+      () => this.known.classes.map(({ id }) => id),
+      (classes) => {
+        this.chosen = classes.classes.at(-1)?.id;
+        this.show(classes);
+      },
+    );
     root.classList.add("class");
     root.append(this.tabs, this.notice, this.body);
     void this.look();
@@ -95,6 +105,16 @@ class ClassPage {
   private say(text: string): void {
     setText(this.notice, text);
     delete this.notice.dataset.lost;
+  }
+
+  /** For a while: no tile shows that it was done. */
+  private confirm(text: string): void {
+    this.say(text);
+    setTimeout(() => this.notice.textContent === text && this.say(""), kConfirmed);
+  }
+
+  private titleOf({ lesson }: TrainingClass): string {
+    return this.titles.get(lesson) ?? lesson;
   }
 
   /** Resolves whether the door did it. */
@@ -130,18 +150,19 @@ class ClassPage {
     const tabs = this.known.classes.map(({ id, over }) => [id, over]);
     this.fill(this.tabs, [tabs, this.chosen], () => this.tabsNow());
     const it = this.known.classes.find(({ id }) => id === this.chosen);
-    this.fill(this.body, it?.over ? it : [it?.id ?? this.chosen, it?.exercises.length], () => {
+    const open = this.leads ? (group: Next[], from?: From) => this.goOn(group, from) : undefined;
+    this.fill(this.body, it?.over ? [it, this.titleOf(it)] : [it?.id ?? this.chosen, it?.exercises.length], () => {
       if (this.chosen === kKiosks && this.devices) return [this.devices];
-      if (it?.over) return [classMarks(it, this.leads ? (group, from) => this.goOn(group, from) : undefined)];
+      if (it?.over) return [classMarks(it, this.titleOf(it), open)];
       if (it) {
         this.made.clear();
         return [this.code, this.bar(it), this.exercises(it)];
       }
-      return [this.leads ? this.newClass.element : h("p", { class: "quiet" }, t("There is no class."))];
+      return [this.leads ? this.newClass.shown() : h("p", { class: "quiet" }, t("There is no class."))];
     });
     if (it && !it.over) {
       this.fill(this.code, [it.code, this.known.names, this.known.port], () => [this.door(it)]);
-      this.fill(this.said, [it.lesson, it.exercises.map(({ seats }) => seats), this.mover], () => this.saidNow(it));
+      this.fill(this.said, [this.titleOf(it), standing(it), waiting(it), this.mover], () => this.saidNow(it));
       for (const each of it.exercises) this.showExercise(each);
     }
     if (this.known.servers === 0) this.say(kNoServer);
@@ -205,7 +226,11 @@ class ClassPage {
         h("button", { class: "primary", onclick: () => void this.do("start") }, t("Start all")),
         h("button", { onclick: () => void this.do("pause") }, t("Pause all")),
         ...toAll(
-          (topic, sample) => this.do("give", { topic, sample }),
+          async (topic, sample, what) => {
+            const taken = await this.do("give", { topic, sample });
+            if (taken) this.confirm(inAll(what, it.exercises.length));
+            return taken;
+          },
           (text) => this.say(text),
         ),
       );
@@ -215,16 +240,11 @@ class ClassPage {
   }
 
   /** In the bar: how many there are, and what becomes of who is to be moved. */
-  private saidNow({ lesson: file, practice, exercises }: TrainingClass): Node[] {
-    const seats = exercises.flatMap(({ seats: all }) => all);
-    const taken = seats.filter(({ name }) => name !== null).length;
-    const here = seats.filter((seat) => seat.here).length;
-    const all = seats.length;
-    const lesson = practice ? t("{lesson} for practice", { lesson: file }) : file;
-    const words = t("{lesson}; {taken} of {seats} seats taken, {here} at work", { lesson, taken, seats: all, here });
+  private saidNow(it: TrainingClass): Node[] {
     const name = this.mover;
     return [
-      h("span", { class: "quiet" }, words),
+      h("span", { class: "quiet" }, ...lessonWords(this.titleOf(it), it.practice), `; ${standing(it)}`),
+      ...waiting(it).map((line) => h("strong", { class: "waits" }, line)),
       ...(name === undefined
         ? []
         : [
@@ -317,16 +337,56 @@ class ClassPage {
 const kSilent = 60; // s, from which it is told for how long a hand has done nothing
 const kSilentStep = 10; // s, in which it is told
 
+const isManned = ({ seats }: ClassExercise): boolean => seats.some(({ name }) => name !== null);
+
+/** Its lesson is over: the ship may sail on, and nobody is marked for it any more. */
+const isOver = ({ state, outcome }: ClassExercise): boolean =>
+  state === RunState.RUN_FINISHED || (outcome !== "" && state !== RunState.RUN_READY);
+
+/** How many there are. */
+function standing({ exercises }: TrainingClass): string {
+  const seats = exercises.flatMap((each) => each.seats);
+  const here = exercises.filter((each) => !isOver(each)).flatMap((each) => each.seats.filter((seat) => seat.here));
+  return t("{taken} of {seats} seats taken, {here} at work", {
+    taken: seats.filter(({ name }) => name !== null).length,
+    seats: seats.length,
+    here: here.length,
+  });
+}
+
+/** Once some have been started: which have not, a line each for those without and with somebody. */
+function waiting({ exercises }: TrainingClass): string[] {
+  const ready = exercises.filter(({ state }) => state === RunState.RUN_READY);
+  const held = exercises.filter(({ state }) => state === RunState.RUN_PAUSED);
+  if (ready.length + held.length === exercises.filter(({ state }) => state !== null).length) return [];
+  const empty = [...ready, ...held].filter((each) => !isManned(each)).length;
+  const manned = ready.filter(isManned).length;
+  return [
+    empty === 1 && t("1 exercise waits: nobody sits in it"),
+    empty > 1 && t("{count} exercises wait: nobody sits in them", { count: empty }),
+    manned === 1 && t("1 exercise waits for Start all"),
+    manned > 1 && t("{count} exercises wait for Start all", { count: manned }),
+  ].filter((line) => line !== false);
+}
+
+/** "Load cell dead in 12 exercises". */
+const inAll = (what: string, count: number): string =>
+  count === 1 ? t("{what} in 1 exercise", { what }) : t("{what} in {count} exercises", { what, count });
+
 /** What is known of who sits there; of who only watches, no more than that. */
-function doing({ state, heard }: ClassExercise, { place, here, silent }: Seat): string {
+function doing(each: ClassExercise, { place, here, silent }: Seat): string {
+  const { state, heard } = each;
   if (!here) return t("away");
+  if (isOver(each)) return t("here|seat");
   if (!heard || state !== RunState.RUN_RUNNING || place === "watch" || silent === null || silent < kSilent)
     return t("at work");
   return t("silent {time}", { time: clock(kSilentStep * Math.floor(silent / kSilentStep)) });
 }
 
-function stateOf({ state, time, heard }: ClassExercise): string {
+function stateOf(each: ClassExercise): string {
+  const { state, time, heard, outcome } = each;
   if (state === null) return t("is being made");
+  if (outcome && isOver(each) && state !== RunState.RUN_STOPPED_BY_FAULT) return t("lesson over");
   const last = `${runStateWords(state)} ${clock(time)}`;
   return heard ? last : t("not heard, was {last}", { last });
 }

@@ -37,7 +37,8 @@ export function makeJoin(): void {
     const typed = names === null;
     name.hidden = name.disabled = !typed;
     listed.hidden = listed.disabled = typed;
-    listed.replaceChildren(...(names ?? []).map((each) => h("option", { value: each }, each)));
+    const choose = h("option", { value: "" }, t("choose your name")); // who is in haste is not the first of the list
+    listed.replaceChildren(choose, ...(names ?? []).map((each) => h("option", { value: each }, each)));
   };
   /** Of a code that was refused already: told when a seat is asked for, and not asked twice, since each counts. */
   let refused: { code: string; why: Error } | undefined;

@@ -1,15 +1,12 @@
 // A new class: of which lesson, how many exercises, how many to each.
 
 import { h, setText } from "../kit/dom";
-import { type Classes, type From, type Next, act, ask } from "./ask";
+import { type Classes, type From, type Lessons, type Next, act } from "./ask";
 import { field, form } from "./frame";
+import { freeName } from "./free_name";
 import { namesOf } from "./names";
 import { t } from "../kit/language";
 import { clock } from "../kit/units";
-
-interface Lessons {
-  files: { name: string; title: string; lesson: string | null }[];
-}
 
 const crews: [number, string][] = [
   [1, t("one: both seats")],
@@ -18,14 +15,20 @@ const crews: [number, string][] = [
 ];
 
 export interface NewClass {
-  readonly element: HTMLElement;
+  /** The form, with a name that is free. */
+  shown(): HTMLElement;
   /** Of these alone, with what they are to do next. */
   fill(group: Next[], from?: From): void;
   /** Whoever has the code may join, unless a file is given. */
   anybody(): void;
 }
 
-export function newClass(opened: (classes: Classes) => void): NewClass {
+/** taken: names of classes, also of those that are over. */
+export function newClass(
+  lessons: Promise<Lessons>,
+  taken: () => string[],
+  opened: (classes: Classes) => void,
+): NewClass {
   const today = new Date().toLocaleDateString("en", { weekday: "short" }).toLowerCase();
   const name = h("input", { required: true, maxLength: 24, pattern: "[A-Za-z0-9][A-Za-z0-9\\-]*", value: today });
   const lesson = h("select", { required: true });
@@ -51,7 +54,7 @@ export function newClass(opened: (classes: Classes) => void): NewClass {
     if (seats > 0) count.value = `${Math.min(64, seats)}`;
   };
   list.onchange = crew.onchange = () => void enough();
-  const listed = ask<Lessons>("lessons").then(({ files }) =>
+  const listed = lessons.then(({ files }) =>
     lesson.append(
       ...files
         .sort((a, b) => Number(!!b.lesson) - Number(!!a.lesson))
@@ -111,9 +114,14 @@ export function newClass(opened: (classes: Classes) => void): NewClass {
           ...(from && { from: { recording: from.recording, position: from.position } }),
         });
         anybody();
+        name.value = today;
         opened(classes);
       },
     ),
   );
-  return { element, fill, anybody };
+  const shown = (): HTMLElement => {
+    name.value = freeName(name.value, taken());
+    return element;
+  };
+  return { shown, fill, anybody };
 }

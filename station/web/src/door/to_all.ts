@@ -6,8 +6,12 @@ import { h } from "../kit/dom";
 import type { OrderSample } from "../wire/connection";
 import { t, translated } from "../kit/language";
 
-/** Resolves whether it was taken. */
-export type Give = (topic: "FaultCommand" | "BridgeOrderCommand", sample: OrderSample) => Promise<boolean>;
+/** what: in words. Resolves whether it was taken. */
+export type Give = (
+  topic: "FaultCommand" | "BridgeOrderCommand",
+  sample: OrderSample,
+  what: string,
+) => Promise<boolean>;
 
 /** Buttons, each with a dialog of its own, which closes once what it gives was taken; refuse: what cannot be sent. */
 export function toAll(give: Give, refuse: (text: string) => void): HTMLElement[] {
@@ -38,19 +42,20 @@ function faultDialog(give: Give, refuse: (text: string) => void): HTMLDialogElem
     ...faults.map((fault) => h("option", { value: fault.const }, translated(fault.said))),
   );
   const form = h("div", {});
-  const give1 = async (sample: OrderSample): Promise<void> => {
-    if (await give("FaultCommand", sample)) dialog.close();
+  const give1 = async (sample: OrderSample, what: string): Promise<void> => {
+    if (await give("FaultCommand", sample, what)) dialog.close();
   };
   const choose = (): void => {
     const fault = faults.find((each) => each.const === which.value)!;
+    const said = translated(fault.said);
     form.replaceChildren(
-      faultForm(fault, 0, (sample) => void give1(sample), refuse),
+      faultForm(fault, 0, (sample) => void give1(sample, said), refuse),
       h(
         "button",
         {
           class: "plain",
           type: "button",
-          onclick: () => void give1({ code: fault.enumerator, clear: true }),
+          onclick: () => void give1({ code: fault.enumerator, clear: true }, t("{fault} cleared", { fault: said })),
         },
         t("Clear it everywhere"),
       ),
@@ -76,7 +81,8 @@ function wordsDialog(give: Give): HTMLDialogElement {
   const send = async (event: Event): Promise<void> => {
     event.preventDefault();
     const sample = { code: "BRIDGE_ORDER_TEXT", side: -1, text: words.value.trim() };
-    if (!sample.text || !(await give("BridgeOrderCommand", sample))) return;
+    const what = t("“{words}” said", { words: sample.text });
+    if (!sample.text || !(await give("BridgeOrderCommand", sample, what))) return;
     words.value = "";
     dialog.close();
   };

@@ -92,7 +92,7 @@ export class Orders {
       { "data-number": order.number, "data-state": BridgeOrderState[order.state] },
       h("time", {}, clock(order.time)),
       h("span", { class: "spoken", lang: "en" }, written(order)),
-      h("span", { class: "quiet" }, asked ? t("answer by a report") : repeatState(order)),
+      h("span", { class: "quiet" }, asked ? t("answer by a report") : repeatState(order, this.orders())),
       button,
     );
   }

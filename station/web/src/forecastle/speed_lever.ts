@@ -39,7 +39,7 @@ export class SpeedLever {
     this.element = h(
       "section",
       { class: "control speed", "aria-label": t("speed lever") },
-      h("h2", {}, t("Speed")),
+      h("h2", {}, t("Speed|lever")),
       h("span", { class: "end", "aria-hidden": "true" }, `\u25b2 ${t("heave")}`),
       this.slot,
       h("span", { class: "end", "aria-hidden": "true" }, `\u25bc ${t("lower")}`),

@@ -64,6 +64,13 @@ export class OwnMarks {
     { class: "plain", href: "/cmi5#finish", hidden: true },
     t("Finish, back to the course"),
   );
+  /** Of a class that has ended meanwhile: there is nothing else here any more. */
+  private readonly over = h(
+    "p",
+    { class: "row class-over", role: "status", hidden: true },
+    t("The class is over."),
+    h("a", { class: "plain", href: "/" }, t("Leave the seat")),
+  );
   private shown: Assessment | undefined;
   private readonly listeners = new Set<(told: boolean) => void>();
 
@@ -78,6 +85,7 @@ export class OwnMarks {
         h("button", { class: "plain", onclick: () => this.element.close() }, t("Close")),
         this.back,
       ),
+      this.over,
       this.body,
     );
     this.button = h(
@@ -86,6 +94,7 @@ export class OwnMarks {
       t("Marks"),
     );
     link.on("SeatAssessment", (assessment) => this.tell(assessment));
+    link.onClassOver(() => this.stay());
     link.on("BridgeOrder", () => this.shown && this.fill(this.shown));
     for (const measure of measures) measure.onChoice(() => this.shown && this.fill(this.shown));
   }
@@ -105,6 +114,15 @@ export class OwnMarks {
     if (first) void this.offerBack();
     if (!told) this.element.close();
     else if (first && !this.element.open) this.element.showModal();
+  }
+
+  /** Whether there are marks to read: then closing them leaves the page. */
+  private stay(): boolean {
+    if (!this.shown) return false;
+    this.over.hidden = false;
+    this.element.onclose = () => location.assign("/");
+    if (!this.element.open) this.element.showModal();
+    return true;
   }
 
   /** Who came by the door may have come from a course; no station's own page has. */
@@ -130,6 +148,7 @@ export class OwnMarks {
       assessment.practice &&
         h("p", { class: "practice" }, t("{practice}: no test.", { practice: practiceSaid(assessment) })),
       assessment.abort && h("p", {}, t("It ended before it was done: {why}.", { why: assessment.abort })),
+      reckoning(assessment),
       section(t("To work on next time"), wrong.slice(0, kToWorkOn).map(criterionRow)),
       section(t("Also missed"), wrong.slice(kToWorkOn).map(criterionRow)),
       section(t("What you did"), did.map(criterionRow)),
@@ -192,6 +211,20 @@ export class OwnMarks {
 }
 
 const spaced = (code: string): string => code.replace(/[_-]/g, " ");
+
+/** Why the points of the list do not add up to those of the whole; nothing where they do. */
+function reckoning({ criteria, objectives, abort }: Assessment): HTMLElement | false {
+  const { kept } = wentWell(criteria);
+  const missed = toWorkOn(criteria);
+  const rules = [
+    kept.length > 0 &&
+      missed.length > 0 &&
+      t("What you kept counts in the measure in which the rest was done, and the points in play make up 100."),
+    (abort !== "" || missed.some(({ must }) => must) || objectives.some(({ outcome }) => outcome !== "achieved")) &&
+      t("A must or an objective that was missed, or a bridge that had no answer, halves the whole, once."),
+  ].filter((rule) => rule !== false);
+  return rules.length > 0 && h("p", { class: "quiet" }, rules.join(" "));
+}
 
 /** Nothing without rows. */
 function section(title: string, rows: HTMLElement[]): HTMLElement | false {

@@ -59,7 +59,11 @@ export class Practice<Seat extends keyof typeof kOf> {
     const now = this.link.latest("ExerciseStatus")?.time ?? 0;
     const late = hands ? Math.round(now - hands.time) : 0;
     setText(this.words, hands ? figures : "");
-    const wait = hands ? (late > kLate ? t("{late} s behind you", { late }) : "") : t("catching up …");
+    const wait = hands
+      ? late > kLate
+        ? t("{late} s behind you, where it waits for your lesson", { late })
+        : ""
+      : t("catching up …");
     setText(this.state, this.isSearching ? t("looking for a hint …") : this.isOn ? wait : "");
   }
 

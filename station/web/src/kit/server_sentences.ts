@@ -50,6 +50,9 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   "exercise.resumed": ["exercise goes on", "exercise resumed by {name}"],
   "exercise.started": ["exercise started by {name}"],
   "exercise.time_scale": ["time scale {0} by {name}"],
+  "fault.active": ["{0} is active"],
+  "fault.armed": ["{0} is armed"],
+  "fault.cleared": ["{0} is cleared"],
   "hint.bridge": [
     "The engine stopped now.",
     "The engine {0} % ahead now.",
@@ -60,7 +63,7 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   ],
   "hint.forecastle": [...hints, ...noHint],
   "levers.lost": [
-    "{name} has let go and nobody has the {0}: {1}",
+    "{name} is not at the levers: nobody has the {0}; {1}",
     "{name} is no longer heard and nobody has the {0}: {1}",
   ],
   "levers.taken": [
@@ -70,7 +73,8 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   ],
   "order.not_heard": ["no answer from the forecastle; ordered: {order}"],
   "report.bell": ["bell: {0} strokes", "bell: {0} stroke", "bell: rung rapidly"],
-  "report.not_heard": ["no answer from the bridge; {report}"],
+  "report.made": ["reported: {report}"],
+  "report.not_heard": ["no answer from the bridge; reported: {report}"],
   "signals.anchor_ball": ["anchor ball hoisted", "anchor ball taken down"],
   "signals.anchor_lights": ["anchor lights switched on", "anchor lights switched off"],
   "stopper.refused": ["stopper bar is loaded and does not lift", "stopper cannot be closed on running chain"],

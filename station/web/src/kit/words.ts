@@ -197,24 +197,29 @@ interface EventRow {
 }
 const eventRows: readonly EventRow[] = [...events.waited_for.oneOf, ...events.told.oneOf];
 
+/** The server calls a fault by its name in files: "load-cell-dead is active"; what is said of it has a translation. */
+const withFaultSaid = (text: string): string =>
+  text.replace(/^\S+/, (name) => enumerations.FaultCode.oneOf.find((row) => row.const === name)?.said ?? name);
+
 /** An event's sentence in the person's language, as it came where that has none. */
-export function eventText({ code, text }: { code: string; text: string }): string {
+export function eventText({ code, text: given }: { code: string; text: string }): string {
+  const text = code.startsWith("fault.") ? withFaultSaid(given) : given;
   const row = eventRows.find((each) => each.const === code || each.seat_code === code);
   const sentences = [row?.seat_said, row?.said, ...(serverSentences[code] ?? [])];
   for (const sentence of sentences) {
     const found = sentence === undefined ? text : translatedAs(sentence, text);
     if (found !== text) return found;
   }
-  return text;
+  return given;
 }
 
-/** The same with its side before it, unless the sentence names it. */
-export function eventLine(event: { code: string; text: string; side: number }): string {
-  const text = eventText(event);
-  const english = withSide(event.side, event.text);
-  if (text === event.text) return english;
-  return english === event.text ? text : `${sideWord(event.side)}: ${text}`;
-}
+/** For people to read, with its side before it unless the English names it. */
+export const besideSide = (side: number, english: string, said = english): string =>
+  withSide(side, english) === english ? said : `${sideWord(side)}: ${said}`;
+
+/** An event's sentence so. */
+export const eventLine = (event: { code: string; text: string; side: number }): string =>
+  besideSide(event.side, event.text, eventText(event));
 
 /** What an alert says and explains, in the person's language. */
 export function alertWords(alert: { code: string; text: string; explanation: string }): {

@@ -78,6 +78,8 @@ const kForbidden = 403;
 /** What the door says to a browser that has no seat, or another one; and when it ends a link for that. */
 const kElsewhere = new Set([401, 409]);
 const kSentAway = 4001;
+/** The same at a class's end: what the page has to show may be read first. */
+const kMayRead = 4002;
 const kWhySentAway = "windlass.why_sent_away";
 
 /** The door's reason for which the last page of this tab was sent away, told once; empty: it was not. */
@@ -119,6 +121,7 @@ export class Connection {
   private readonly listeners = new Map<ChannelName, Set<Listener<ChannelName>>>();
   private readonly stateListeners = new Set<(state: LinkState) => void>();
   private readonly serverListeners = new Set<(until: number) => void>();
+  private readonly readers = new Set<() => boolean>();
   private readonly messageListeners = new Map<string, Set<(message: Message) => void>>();
   private readonly waiting = new Map<number, { done: () => void; failed: (why: Refused) => void }>();
   private nextId = 1;
@@ -198,6 +201,11 @@ export class Connection {
    */
   onAnotherServer(listener: (until: number) => void): void {
     this.serverListeners.add(listener);
+  }
+
+  /** Asks when the class is over: whoever still reads here, true, has the page, and leaves it for "/". */
+  onClassOver(reads: () => boolean): void {
+    this.readers.add(reads);
   }
 
   /** Calls back for messages of the gateway with that op: hello, levers, refused. */
@@ -301,7 +309,11 @@ export class Connection {
     socket.onmessage = (event) =>
       typeof event.data === "string" ? this.takeText(event.data) : this.takeSample(event.data as ArrayBuffer);
     socket.onopen = () => (this.opened = performance.now());
-    socket.onclose = ({ code, reason }) => (code === kSentAway ? this.goHome(reason) : this.lost());
+    socket.onclose = ({ code, reason }) => {
+      if (code === kSentAway) this.goHome(reason);
+      else if (code === kMayRead) this.classOver(reason);
+      else this.lost();
+    };
     this.socket = socket;
   }
 
@@ -335,6 +347,14 @@ export class Connection {
     this.close();
     sessionStorage.setItem(kWhySentAway, why);
     location.assign("/");
+  }
+
+  /** The state stays with a reader: no veil of a lost connection lies over what is read. */
+  private classOver(why: string): void {
+    if (![...this.readers].some((reads) => reads())) return this.goHome(why);
+    clearInterval(this.beat);
+    this.held.clear();
+    sessionStorage.setItem(kWhySentAway, why);
   }
 
   private takeText(text: string): void {

@@ -28,7 +28,7 @@ const kNoWords = new Set(
 const kTranslated = [
   ["load", "cable speed", "NM"],
   ["achieved", "not yet", "not shown"],
-  ["port windlass", "starboard windlass", "helm", "has let go", "is not heard any more"],
+  ["port windlass", "starboard windlass", "helm", "is not at the levers", "is not heard any more"],
   ["speed lever at zero; brake, clutch and stopper as they were", "the helm's levers stay as they are"],
   ["the lesson is over: it has run its course", "the lesson is over: its time is up"],
   ["the lesson is over: what has happened ends it", "the lesson is over: it was ended"],

@@ -1,0 +1,166 @@
+// Reports of the forecastle as the exercise's log has them, each at its own time, with what was so then. The log alone
+// says when one was made: a Report has no time, and a desk that opens late hears those of before all at once.
+
+import { begins } from "../kit/branch";
+import { cableSpeeds, celsius, figure, loads, shackles } from "../kit/units";
+import { besideSide, eventLine, reportText, saidOf } from "../kit/words";
+import type { Connection } from "../wire/connection";
+import { type AnchorState, type ChainState, type Report, ReportCode, type WindlassLoad } from "../wire/generated";
+import type { EventStore, Logged } from "./events";
+import { t } from "../kit/language";
+
+/** What was so of a side when a report was made; nothing: it is not known any more. */
+interface Then {
+  load?: WindlassLoad;
+  anchor?: AnchorState;
+  chain?: ChainState; // of the past none is kept
+}
+
+/** A line of the log that tells of a report. */
+export interface ReportLine {
+  readonly event: Logged;
+  readonly words: string;
+  /** "was 3.2 out"; empty where it can be neither right nor wrong, or is not known. */
+  was: string;
+}
+
+const kKept = 200;
+const kOfThen = 1.5; // s between event and sample, at most: of the past there is a sample a second
+
+export const isReport = ({ code }: { code: string }): boolean => code === "report.made" || code === "report.not_heard";
+
+/** The report's own words, of the log's "reported: she is brought up, to order 4". */
+const spoken = (text: string): string => text.replace(/^.*?reported: /s, "").replace(/, to order \d+$/, "");
+
+export class ReportLog {
+  /** Of the branch that runs, as they came. */
+  lines: ReportLine[] = [];
+  private readonly then = new Map<ReportLine, Then>();
+  private readonly reports = new Map<string, Report>(); // what was said, by its words
+
+  /** replay: of which all branches are shown. changed: is called after each change of the lines. */
+  constructor(
+    private readonly link: Pick<Connection, "on" | "track">,
+    private readonly events: Pick<EventStore, "all" | "onChange">,
+    private readonly replay: () => boolean,
+    private readonly changed: () => void,
+  ) {
+    for (const side of [0, 1]) this.soThen(side, NaN); // wanted from the first on, so that it comes with its past
+    link.on("Report", (report) => this.hear(report));
+    events.onChange((event) => {
+      if (event && !begins(event)) return isReport(event) && this.take(event);
+      this.sift();
+    });
+  }
+
+  /** What its words mean: the log has no more than the words. */
+  private hear(report: Report): void {
+    const words = reportText(report);
+    this.reports.set(words, report);
+    const meant = this.lines.filter(({ event }) => spoken(event.text) === words);
+    for (const line of meant) line.was = this.wasOf(line);
+    if (meant.length > 0) this.changed();
+  }
+
+  private take(event: Logged): void {
+    const said = event.code === "report.made" ? besideSide(event.side, spoken(event.text)) : eventLine(event);
+    const line: ReportLine = { event, words: said, was: "" };
+    this.then.set(line, this.soThen(event.side, event.time));
+    line.was = this.wasOf(line);
+    this.keep([...this.lines, line].slice(-kKept));
+  }
+
+  /** Those of a branch that was left go, and those that came otherwise than one by one are taken. */
+  private sift(): void {
+    const now = this.events.all.filter((event) => isReport(event) && (this.replay() || !event.left));
+    const known = new Set(this.lines.map(({ event }) => event));
+    this.keep(this.lines.filter(({ event }) => now.includes(event)));
+    for (const event of now.slice(-kKept)) if (!known.has(event)) this.take(event);
+  }
+
+  private keep(lines: ReportLine[]): void {
+    this.lines = lines;
+    for (const line of this.then.keys()) if (!lines.includes(line)) this.then.delete(line);
+    this.changed();
+  }
+
+  private soThen(side: number, time: number): Then {
+    const { link } = this;
+    return {
+      load: nearest(link.track("WindlassLoad", side), time),
+      anchor: nearest(link.track("AnchorState", side), time),
+      chain: nearest(link.track("ChainState", side), time),
+    };
+  }
+
+  private wasOf(line: ReportLine): string {
+    const then = this.then.get(line) ?? {};
+    const report = this.reports.get(spoken(line.event.text));
+    return report ? truthOf(report, then) : atLarge(then);
+  }
+}
+
+/** The sample of that moment, s; undefined: none of those that were heard last is of then. */
+function nearest<T extends { time: number }>(heard: readonly { sample: T }[], time: number): T | undefined {
+  let found: T | undefined;
+  let least = kOfThen;
+  for (const { sample } of heard) {
+    const apart = Math.abs(sample.time - time);
+    if (apart > least) continue;
+    least = apart;
+    found = sample;
+  }
+  return found;
+}
+
+function truthOf(report: Report, { load, anchor, chain }: Then): string {
+  if (!load || !anchor) return "";
+  switch (report.code) {
+    case ReportCode.REPORT_SHACKLES_ON_DECK:
+    case ReportCode.REPORT_SHACKLES_IN_WATER:
+    case ReportCode.REPORT_SHACKLES_IN_PIPE:
+      return t("was {shackles} out", { shackles: figure(shackles(load.cable_out), 1) });
+    case ReportCode.REPORT_LEAD:
+    case ReportCode.REPORT_SHORT_STAY:
+    case ReportCode.REPORT_UP_AND_DOWN:
+      if (!chain) return "";
+      return t("was {hour} o'clock, {stay}", { hour: figure(chain.lead_clock, 1), stay: saidOf("Stay", chain.stay) });
+    case ReportCode.REPORT_GROWING:
+    case ReportCode.REPORT_WEIGHT:
+      return t("was {what}", { what: loads.text(load.hawse_tension) });
+    case ReportCode.REPORT_TURNS:
+      return chain ? t("was {what}", { what: figure(chain.turns, 1) }) : "";
+    case ReportCode.REPORT_NO_POWER:
+      return load.power ? t("had power") : t("had none");
+    case ReportCode.REPORT_BRAKE_DOES_NOT_HOLD:
+      return t("bore {load} of {capacity}, lining {degrees} °C", {
+        load: loads.figure(load.brake_load),
+        capacity: loads.text(load.brake_capacity),
+        degrees: figure(celsius(load.lining_temperature)),
+      });
+    case ReportCode.REPORT_DOES_NOT_RUN:
+      return t("ran {speed}", { speed: cableSpeeds.text(load.cable_speed) });
+    case ReportCode.REPORT_SECURED:
+      return load.stopper_closed
+        ? t("brake {percent} %, stopper closed", { percent: figure(100 * load.brake_position) })
+        : t("brake {percent} %, stopper open", { percent: figure(100 * load.brake_position) });
+    case ReportCode.REPORT_LET_GO:
+    case ReportCode.REPORT_ON_THE_BOTTOM:
+    case ReportCode.REPORT_BROUGHT_UP:
+    case ReportCode.REPORT_ANCHOR_AWEIGH:
+    case ReportCode.REPORT_CLEAR_ANCHOR:
+    case ReportCode.REPORT_FOUL_ANCHOR:
+    case ReportCode.REPORT_ANCHOR_HOME:
+    case ReportCode.REPORT_DRAGGING:
+      return t("was {what}", { what: saidOf("AnchorPhase", anchor.phase) });
+    default:
+      return "";
+  }
+}
+
+/** What was so of that side at large: a replay has the words of a report, but not the Report. */
+function atLarge({ load, anchor }: Then): string {
+  if (!load || !anchor) return "";
+  const out = figure(shackles(load.cable_out), 1);
+  return t("was {shackles} out, {phase}", { shackles: out, phase: saidOf("AnchorPhase", anchor.phase) });
+}

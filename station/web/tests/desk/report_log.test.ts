@@ -1,0 +1,113 @@
+// The desk's list of reports: each once, at its own time, beside what was so then, whenever the desk was opened.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { EventStore } from "../../src/desk/events";
+import { ReportLog } from "../../src/desk/report_log";
+import { bareReport, reportText } from "../../src/kit/words";
+import type { Connection } from "../../src/wire/connection";
+import { AnchorPhase, EventSeverity, ReportCode } from "../../src/wire/generated";
+
+const kShackle = 27.5; // m
+
+/** A desk that has just been opened, and what it is told. */
+function desk() {
+  const listeners = new Map<string, ((sample: never, key: string, written: number) => void)[]>();
+  const tracks = new Map<string, { sample: unknown }[]>();
+  const track = (topic: string, side: number) => tracks.get(`${topic}/${side}`) ?? [];
+  const nothing = (): void => undefined;
+  const link = {
+    on: (topic: string, listener: never) => listeners.set(topic, [...(listeners.get(topic) ?? []), listener]),
+    onState: nothing,
+    onAnotherServer: nothing,
+    onMessage: nothing,
+    latest: nothing,
+    track,
+  } as unknown as Connection;
+  const log = new ReportLog(link, new EventStore(link), () => false, nothing);
+  const tell = (topic: string, sample: object): void =>
+    listeners.get(topic)?.forEach((listener) => listener(sample as never, "", 0));
+  let number = 0;
+  const event = (time: number, code: string, side: number, text: string): void =>
+    tell("Event", { number: ++number, time, code, side, text, severity: EventSeverity.EVENT_INFO });
+  return {
+    event,
+    /** Truth of the port side: shackles out, and of the anchor. */
+    stands: (time: number, out: number, phase = AnchorPhase.ANCHOR_ON_BOTTOM) => {
+      tracks.set("WindlassLoad/0", [...track("WindlassLoad", 0), { sample: { time, cable_out: out * kShackle } }]);
+      tracks.set("AnchorState/0", [...track("AnchorState", 0), { sample: { time, phase } }]);
+    },
+    /** As the forecastle says it: without a time. */
+    says: (code: ReportCode, value = 0) => tell("Report", { ...bareReport(code, 0), value }),
+    /** As the server has heard it. */
+    logs: (time: number, code: ReportCode, value = 0) =>
+      event(time, "report.made", 0, `reported: ${reportText({ ...bareReport(code, 0), value })}`),
+    lines: () => log.lines.map(({ event: { time }, words, was }) => ({ time, words, was })),
+  };
+}
+
+const { REPORT_LET_GO: letGo, REPORT_SHACKLES_IN_PIPE: inPipe } = ReportCode;
+
+test("a report stands once, at the time of its event, beside the truth of that moment, whichever comes first", () => {
+  const both = [{ time: 195, words: "port: 2 shackles in the pipe", was: "was 4.1 out" }];
+  const early = desk();
+  early.stands(195, 4.1);
+  early.says(inPipe, 2);
+  early.logs(195, inPipe, 2);
+  early.stands(200, 6);
+  assert.deepEqual(early.lines(), both);
+  const late = desk();
+  late.stands(195, 4.1);
+  late.logs(195, inPipe, 2);
+  late.stands(200, 6);
+  late.says(inPipe, 2);
+  assert.deepEqual(late.lines(), both);
+});
+
+test("a desk that is opened late and was told nothing of then has each report at its time, without a truth of now", () => {
+  const late = desk();
+  late.stands(131, 5);
+  late.says(letGo);
+  late.says(inPipe, 2);
+  late.logs(27, letGo);
+  late.logs(53, inPipe, 2);
+  assert.deepEqual(late.lines(), [
+    { time: 27, words: "port anchor is let go", was: "" },
+    { time: 53, words: "port: 2 shackles in the pipe", was: "" },
+  ]);
+});
+
+test("the same words said twice are two reports, each beside its own truth", () => {
+  const early = desk();
+  for (const [time, out] of [
+    [10, 1.9],
+    [20, 2.4],
+  ] as const) {
+    early.stands(time, out);
+    early.says(inPipe, 2);
+    early.logs(time, inPipe, 2);
+  }
+  assert.deepEqual(
+    early.lines().map(({ time, was }) => [time, was]),
+    [
+      [10, "was 1.9 out"],
+      [20, "was 2.4 out"],
+    ],
+  );
+});
+
+test("what a restore has left is gone; the order that a report answers is not said again", () => {
+  const early = desk();
+  early.event(10, "report.made", 0, "reported: repeats: let go port anchor, to order 4");
+  early.logs(50, letGo);
+  early.event(20, "exercise.restored", -1, "exercise restored to 20 s, paused, by instructor");
+  early.event(25, "report.not_heard", 0, "no answer from the bridge; reported: port anchor is let go");
+  assert.deepEqual(
+    early.lines().map(({ time, words }) => [time, words]),
+    [
+      [10, "repeats: let go port anchor"],
+      [25, "no answer from the bridge; reported: port anchor is let go"],
+    ],
+  );
+});
