@@ -1,9 +1,11 @@
 // A class at the door, from the log-in to the history: Chromium contexts join by code, and as many hands, twelve at most,
-// play L01 in real time through the page's own controls, each in its own way. Writes what came of it as Markdown on
-// stdout, and pictures of the instructor's pages into FOLDER; not a test. What twelve computers do is done by the cores
-// of one here: seats draw no picture (?picture=off), ten times a second, and make no sound.
+// play L01 through the page's own controls, each in its own way. Writes what came of it as Markdown on stdout, and
+// pictures of each page, in three sizes, into FOLDER; not a test. What twelve computers do is done by the cores of one
+// here: seats draw no picture (?picture=off), ten times a second, and make no sound. Where that is still too much for
+// real time, the exercises go at TIME_SCALE of it, and the hands with them.
 //
-// usage: build/release/bin/own_domain node station/web/tools/ts.mjs bench/class_at_the_door.ts FOLDER [HANDS]   (after a build; about 18 min)
+// usage: build/release/bin/own_domain node station/web/tools/ts.mjs bench/class_at_the_door.ts FOLDER [HANDS [TIME_SCALE]]
+//        (after a build; about 18 min at 1). bench/class_from_outside.sh has the browser in a network of its own.
 
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
@@ -20,7 +22,15 @@ import { Rig, eventually, sleep } from "../tests/browser/rig";
 const pictures = process.argv[2] ?? "";
 assert.ok(pictures, "usage: class_at_the_door.ts FOLDER [HANDS]");
 mkdirSync(pictures, { recursive: true });
-const kLongest = 14.5 * 60_000; // ms from the start to when the class is ended
+const timeScale = Number(process.argv[4] ?? 1);
+/** ms of the clock for so many of the exercise. */
+const ms = (ofExercise: number): number => ofExercise / timeScale;
+const kLongest = 14.5 * 60_000; // ms of exercise from the start to when the class is ended
+const kSizes = [
+  [1280, 800],
+  [1024, 768],
+  [390, 844],
+];
 const tls: BrowserContextOptions = { ignoreHTTPSErrors: true };
 
 /** What a hand does its own way. */
@@ -73,6 +83,17 @@ const press = async (what: Locator): Promise<void> => {
 };
 const on = (page: Page, name: string | RegExp): Locator => page.getByRole("button", { name, exact: true });
 
+/** The page as a whole in each size, as NAME_WIDTH.png; it is left as it was. */
+async function picture(page: Page, name: string): Promise<void> {
+  const before = page.viewportSize();
+  for (const [width, height] of kSizes) {
+    await page.setViewportSize({ width, height });
+    await sleep(500);
+    await page.screenshot({ path: join(pictures, `${name}_${width}.png`), fullPage: true });
+  }
+  await page.setViewportSize(before);
+}
+
 /** Sixty pictures a second and the deck's sound would be most of what a page costs. */
 function atTenHzWithoutSound(): void {
   window.requestAnimationFrame = (draw) => Number(setTimeout(() => draw(performance.now()), 100));
@@ -104,6 +125,7 @@ class Hand {
   async join(): Promise<void> {
     await this.open(`${this.door}?code=${this.code}`);
     await this.page.locator("input[name=name]").fill(this.trainee);
+    if (this.style === kStyles[0]) await picture(this.page, "join");
     await on(this.page, "Take a seat").click();
     await this.page.waitForURL(/\/forecastle/);
     await this.page.goto(`${new URL(this.page.url()).origin}/forecastle?picture=off`);
@@ -117,7 +139,7 @@ class Hand {
       init: atTenHzWithoutSound,
       viewport: { width: 1024, height: 768 },
     });
-    this.page.setDefaultTimeout(20_000); // a hand that finds no button in that time has lost the thread
+    this.page.setDefaultTimeout(ms(20_000)); // a hand that finds no button in that time has lost the thread
     if (this.style.slow) {
       const session = await this.page.context().newCDPSession(this.page);
       await session.send("Emulation.setCPUThrottlingRate", { rate: 6 });
@@ -175,8 +197,20 @@ class Hand {
         .getByRole("button", { name: `${figure}`, exact: true })
         .click();
     this.said.push(
-      `${Math.round((Date.now() - this.began) / 1000)} s: ${name}${figure === undefined ? "" : ` ${figure}`}`,
+      `${Math.round(((Date.now() - this.began) * timeScale) / 1000)} s: ${name}${figure === undefined ? "" : ` ${figure}`}`,
     );
+  }
+
+  /** The newest order that waits for it, with its figure. */
+  private async repeatBack(): Promise<void> {
+    const [words] = await this.page
+      .locator(".orders li", { has: this.page.getByRole("button") })
+      .locator(".spoken")
+      .allTextContents();
+    if (words === undefined) return;
+    await this.page.keyboard.press("o");
+    const figure = /(\d+) shackles?/.exec(words)?.[1];
+    if (figure) await this.page.locator(".pad").last().getByRole("button", { name: figure, exact: true }).click();
   }
 
   /** Once. */
@@ -193,9 +227,9 @@ class Hand {
     let wanted = 0, // shackles
       runs = false,
       quietSince = 0,
-      tight = 0;
+      tightest = 0; // N
     while (!stop() && !this.page.isClosed()) {
-      await sleep(style.looks ?? 300);
+      await sleep(ms(style.looks ?? 300));
       if (style.idle) continue;
       const now: Seen | undefined = await this.look().catch((): undefined => undefined);
       if (!now) continue;
@@ -205,7 +239,7 @@ class Hand {
         await this.page.screenshot({ path: join(pictures, `covered_${this.trainee}.png`) });
         await briefing.getByRole("button").last().click();
       }
-      if ((await this.page.locator(".orders li button").count()) > 0) await this.page.keyboard.press("o");
+      await this.repeatBack();
       const has = (words: RegExp): boolean => now.orders.some((text) => words.test(text));
       if (has(/stand by/i) && this.first("stand by")) await this.report("Standing by");
       if (has(/let go/i) && this.first("let go")) {
@@ -236,7 +270,7 @@ class Hand {
         await this.turn(wanted >= 6 ? 1 : 0.86);
         quietSince = Date.now();
       }
-      if (!runs && wanted > 0 && now.speed < 0.05 && Date.now() - quietSince > 3000 && this.first(`at ${wanted}`))
+      if (!runs && wanted > 0 && now.speed < 0.05 && Date.now() - quietSince > ms(3000) && this.first(`at ${wanted}`))
         await this.report("n in pipe", Math.round(now.out / 27.5));
       if (has(/leading/i) && this.first("leading")) {
         await this.report("Lead");
@@ -247,14 +281,15 @@ class Hand {
           .catch(() => {});
       }
       if (this.done.has("at 6")) {
-        tight = now.load > 150e3 ? tight || Date.now() : 0;
-        if (tight && Date.now() - tight > 110_000 && this.first("brought up")) await this.report("Brought up");
+        // The cable has come tight, and eased as she came up to her anchor.
+        tightest = Math.max(tightest, now.load);
+        if (tightest > 150e3 && now.load < 0.35 * tightest && this.first("brought up")) await this.report("Brought up");
       }
       if (has(/secure/i) && this.first("secure")) {
         await this.page.keyboard.down("t");
-        await sleep(1500);
+        await sleep(ms(1500));
         await this.page.keyboard.up("t");
-        await sleep(3000);
+        await sleep(ms(3000));
         await this.report("Secured");
       }
       if (style.reloads && now.out > style.reloads && this.first("reload")) await this.page.reload();
@@ -262,20 +297,20 @@ class Hand {
         const [url, state] = [this.page.url(), await this.page.context().storageState()];
         this.problems.push(...this.page.problems);
         await closePage(this.page);
-        await sleep(30_000);
+        await sleep(ms(30_000));
         await this.open(url, { storageState: state });
       }
     }
   }
 }
 
-const rig = new Rig();
+const rig = new Rig("nine-oclock");
 const folder = await mkdtemp(join(tmpdir(), "windlass-class-"));
 try {
   const began = Date.now();
   const minutes = (): string => ((Date.now() - began) / 60_000).toFixed(1);
   const note = (text: string): void => console.error(`${minutes()} min: ${text}`);
-  rig.server("L01_let_go_25m", "--wait"); // and makes the class's exercises
+  rig.server("L01_let_go_25m", "--wait", "--time-scale", `${timeScale}`); // and makes the class's exercises
   const door = await rig.door(join(folder, "door"));
   await closePage(await firstOwner(door.setup));
 
@@ -306,9 +341,8 @@ try {
     const states = await owner.locator(".exercises .state").allTextContents();
     return states.length === kStyles.length && states.every((state) => state.startsWith("ready"));
   });
-  await owner.setViewportSize({ width: 1280, height: 800 });
   const toReady = clicks;
-  await owner.screenshot({ path: join(pictures, "ready.png"), fullPage: true });
+  await picture(owner, "ready");
   await press(on(owner, "Start all"));
   note(`started after ${toReady} clicks`);
   const started = Date.now();
@@ -316,24 +350,26 @@ try {
   const playing = hands.map(async (hand) => {
     try {
       if (hand.style.late) {
-        await sleep(hand.style.late);
+        await sleep(ms(hand.style.late));
         await hand.join();
+        await on(owner, "Start all").click(); // an exercise in which nobody sat has waited
       }
       await hand.play(() => ended);
     } catch (why) {
-      hand.problems.push(`fell over: ${why instanceof Error ? why.message : "?"}`.split("\n", 1)[0]);
+      const [what, ...more] = (why instanceof Error ? why.message : "?").split("\n");
+      hand.problems.push(`fell over: ${what} ${more.find((line) => line.includes("waiting for"))?.trim() ?? ""}`);
       note(`${hand.trainee}: ${hand.problems.at(-1)}`);
     }
   });
   for (const at of [2, 6, 11]) {
-    await sleep(Math.max(0, started + at * 60_000 - Date.now()));
-    await owner.screenshot({ path: join(pictures, `at_${at}_min.png`), fullPage: true });
+    await sleep(Math.max(0, started + ms(at * 60_000) - Date.now()));
+    await picture(owner, `at_${at}_min`);
     note(`load ${loadavg()[0].toFixed(1)}; ${hands.map(({ said }) => said.length).join(" ")} reports`);
   }
-  await sleep(Math.max(0, started + kLongest - Date.now()));
+  await sleep(Math.max(0, started + ms(kLongest) - Date.now()));
   ended = true;
   await Promise.all(playing);
-  await hands[0].page.screenshot({ path: join(pictures, "forecastle.png") });
+  await picture(hands[0].page, "forecastle");
   await on(owner, "End the class").focus();
   await owner.keyboard.down("Enter");
   await owner.locator(".class-marks tbody tr").first().waitFor();
@@ -344,7 +380,7 @@ try {
       (await owner.locator(".class-marks .next").allTextContents()).filter((text) => text.trim()).length >=
       kStyles.length,
   );
-  await owner.screenshot({ path: join(pictures, "over.png"), fullPage: true });
+  await picture(owner, "over");
   const asked = Date.now();
   const [aside] = await Promise.all([
     owner.waitForEvent("popup"),
@@ -352,8 +388,13 @@ try {
   ]);
   await aside.getByRole("heading", { name: "Who did what when" }).waitFor();
   const sideBySide = (Date.now() - asked) / 1000;
-  await aside.setViewportSize({ width: 1280, height: 800 });
-  await aside.screenshot({ path: join(pictures, "side_by_side.png"), fullPage: true });
+  await picture(aside, "side_by_side");
+  const [debriefing] = await Promise.all([
+    owner.waitForEvent("popup"),
+    owner.getByRole("link", { name: "Debriefing" }).first().click(),
+  ]);
+  await debriefing.getByRole("heading", { name: "Key moments", exact: true }).waitFor();
+  await picture(debriefing, "debriefing");
   const rows = await owner.locator(".class-marks tbody tr").all();
   console.log(`Clicks from the log-in to all ready: ${toReady}. Class side by side: ${sideBySide.toFixed(1)} s.\n`);
   console.log("| hand | marks | reports | the page's problems |\n|---|---|---|---|");
@@ -367,7 +408,11 @@ try {
       `| ${hand.style.name} | ${await row.locator(".marks").textContent()} | ${hand.said.join("; ")} | ${problems.join("; ")} |`,
     );
   }
-  console.log(`\n${cpus().length} cores (${cpus()[0].model}), load ${loadavg()[0].toFixed(1)} at the end`);
+  const kept = await rig.say("history", "--file", join(folder, "door/recordings/history.sqlite"), "list");
+  console.log(`\nThe history:\n\n${kept}`);
+  console.log(
+    `\nAt ${timeScale} of real time. ${cpus().length} cores (${cpus()[0].model}), load ${loadavg()[0].toFixed(1)} at the end`,
+  );
   if (owner.problems.length) console.log(`The instructor's page: ${owner.problems.join("; ")}`);
 } catch (why) {
   console.error(why);

@@ -209,13 +209,18 @@ export class Rig {
     return Object.assign(program, { url, urls, port: Number(new URL(url).port) });
   }
 
-  /** The door, by TLS on this computer, with its state in that folder. setup: the link for the first owner. */
+  /**
+   * The door, by TLS, with its state in that folder; at $WINDLASS_DOOR_ADDRESS of this computer, without at its
+   * loopback. setup: the link for the first owner.
+   */
   async door(state: string, ...more: string[]): Promise<Program & { url: string; setup: string }> {
-    const options = ["--address", "127.0.0.1", "--port", "0", "--state", state, "--log-level", "warn"];
+    const address = process.env.WINDLASS_DOOR_ADDRESS;
+    const options = ["--address", address ?? "127.0.0.1", "--port", "0", "--state", state, "--log-level", "warn"];
     const folders = ["--exercises", join(root, "config/exercises"), "--recordings", join(state, "recordings")];
     const program = this.start("windlass_door", ...this.session, ...options, ...folders, ...more);
-    const url = await program.line(/^https:\/\/localhost/);
-    const setup = /https:\S+/.exec(await program.line(/^set up/))[0];
+    const host = address ?? "localhost";
+    const url = await program.line(new RegExp(`^https://${host}:`));
+    const setup = /https:\S+/.exec(await program.line(/^set up/))[0].replace("localhost", host);
     return Object.assign(program, { url, setup });
   }
 

@@ -35,7 +35,7 @@ const spoken = (text: string): string => text.replace(/^.*?reported: /s, "").rep
 export class ReportLog {
   /** Of the branch that runs, as they came. */
   lines: ReportLine[] = [];
-  private readonly then = new Map<ReportLine, Then>();
+  private readonly truths = new Map<ReportLine, Then>();
   private readonly reports = new Map<string, Report>(); // what was said, by its words
 
   /** replay: of which all branches are shown. changed: is called after each change of the lines. */
@@ -65,7 +65,7 @@ export class ReportLog {
   private take(event: Logged): void {
     const said = event.code === "report.made" ? besideSide(event.side, spoken(event.text)) : eventLine(event);
     const line: ReportLine = { event, words: said, was: "" };
-    this.then.set(line, this.soThen(event.side, event.time));
+    this.truths.set(line, this.soThen(event.side, event.time));
     line.was = this.wasOf(line);
     this.keep([...this.lines, line].slice(-kKept));
   }
@@ -80,7 +80,7 @@ export class ReportLog {
 
   private keep(lines: ReportLine[]): void {
     this.lines = lines;
-    for (const line of this.then.keys()) if (!lines.includes(line)) this.then.delete(line);
+    for (const line of this.truths.keys()) if (!lines.includes(line)) this.truths.delete(line);
     this.changed();
   }
 
@@ -94,7 +94,7 @@ export class ReportLog {
   }
 
   private wasOf(line: ReportLine): string {
-    const then = this.then.get(line) ?? {};
+    const then = this.truths.get(line) ?? {};
     const report = this.reports.get(spoken(line.event.text));
     return report ? truthOf(report, then) : atLarge(then);
   }
