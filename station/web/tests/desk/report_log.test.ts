@@ -65,7 +65,7 @@ test("a report stands once, at the time of its event, beside the truth of that m
   assert.deepEqual(late.lines(), both);
 });
 
-test("a desk that is opened late and was told nothing of then has each report at its time, without a truth of now", () => {
+test("a desk that is opened late has each report at its time, and no truth of now beside it", () => {
   const late = desk();
   late.stands(131, 5);
   late.says(letGo);
