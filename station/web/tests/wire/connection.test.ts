@@ -175,6 +175,21 @@ test("a page of the door says which it is, and goes where the door leads when it
   assert.equal(Socket.all.length, 1);
 });
 
+test("at the end of a class who still reads has the page, and nobody else", (t) => {
+  const { link, states, gone, socket } = connect(t, undefined, "");
+  let reads = true;
+  link.onClassOver(() => reads);
+  socket().accept();
+  socket().close(4002, "the class is over");
+  assert.deepEqual(gone, []);
+  assert.equal(states.at(-1), "open", "nothing is said of a connection that was lost");
+  timers.tick(10000);
+  assert.equal(Socket.all.length, 1, "nor is it opened anew");
+  reads = false;
+  socket().close(4002, "the class is over");
+  assert.deepEqual(gone, ["/"]);
+});
+
 test("nor does a page try again that the door no longer knows", async (t) => {
   const { gone, socket } = connect(t, () => Promise.resolve({ status: 401, text: () => Promise.resolve("") }), "");
   socket().close();
