@@ -297,11 +297,14 @@ std::vector<Sample> moved(std::vector<Sample> samples, double by) {
     return samples;
 }
 
-/// Least, median and largest of the cables, s by s.
+/// Least, median and largest of the cables, s by s, while half of them at least go on: the last alone is no
+/// spread.
 std::vector<PlotLine> spread_of(const Class& of, double from, double to) {
     std::vector<PlotLine> lines;
     for (const char* name : {"least", "median", "most"})
         lines.push_back({.name = name, .samples = {}, .style = lines.size()});
+    const auto worked = static_cast<std::size_t>(
+        std::ranges::count_if(of.worked, [](const Side* side) { return side != nullptr; }));
     for (double time = from; time <= to; time += 1) {
         std::vector<double> values;
         for (std::size_t i = 0; i < of.size(); ++i) {
@@ -310,7 +313,7 @@ std::vector<PlotLine> spread_of(const Class& of, double from, double to) {
             if (side == nullptr || at > of.at(i).ended) continue;
             if (const auto value = side->curves[kCableOut].at(at)) values.push_back(*value);
         }
-        if (values.empty()) continue;
+        if (values.empty() || 2 * values.size() < worked) continue;
         std::ranges::sort(values);
         lines[0].samples.push_back({time, values.front()});
         lines[1].samples.push_back({time, values[values.size() / 2]});

@@ -262,8 +262,10 @@ std::string order_faults(const LessonOrder& order, const OrderCourse& course, bo
             join(text, "; ", "it was so already when it was given, and nothing was said to it");
         else if (late || !text.empty())
             join(text, ", ",
-                 "carried out after " + late_seconds(course.done - course.given, rate) +
-                     (late ? ", wanted" + within : ""));
+                 course.done <= course.given
+                     ? "it was so already"
+                     : "carried out after " + late_seconds(course.done - course.given, rate) +
+                           (late ? ", wanted" + within : ""));
     } else if (over) {
         join(text, ", ", "not carried out");
         const std::array sides{" by port", " by starboard"};
