@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # bench/class_at_the_door.ts with the browser in a network of its own, as a computer beside the server has it: a second
-# network namespace with one cable to this one, where the door listens. Prints, before, what that network finds open on
-# this machine while nothing of ours runs, and, during the class, again: every TCP and UDP port that answers.
+# network namespace with one cable to this one, where the door listens. Beside the class a stranger on that network
+# tries every TCP port of this machine, and asks by DDS for the class's server: FOLDER/stranger.txt.
 #
 # usage: build/release/bin/own_domain bench/class_from_outside.sh FOLDER [HANDS [TIME_SCALE]]   (as root; after a build)
 set -euo pipefail
@@ -10,7 +10,6 @@ cd "$(dirname "$0")/.."
 outside=windlass-outside
 here=10.212.8.1
 there=10.212.8.2
-tmp=$(mktemp -d)
 folder=${1:?usage: bench/class_from_outside.sh FOLDER [HANDS [TIME_SCALE]]}
 mkdir -p "$folder"
 cleanup() {
@@ -18,11 +17,11 @@ cleanup() {
     ip netns pids "$outside" 2>/dev/null | xargs -r kill 2>/dev/null || true
     ip netns del "$outside" 2>/dev/null || true
     ip link del windlass-here 2>/dev/null || true
-    rm -rf "$tmp"
+    [[ -z ${tmp-} ]] || rm -rf "$tmp"
 }
 trap cleanup EXIT
 cleanup
-mkdir -p "$tmp"
+tmp=$(mktemp -d)
 ip netns add "$outside"
 ip link add windlass-here type veth peer name windlass-there netns "$outside"
 ip addr add "$here/24" dev windlass-here

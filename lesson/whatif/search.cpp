@@ -226,17 +226,10 @@ private:
     /// The first word of the model's hands that the recorded ones have not said by then, nor soon after.
     std::optional<Change> first_word(const std::vector<run::OrderView>& model, std::uint64_t from) const {
         constexpr double kSoon = 5; // s
-        const auto said = [&](const exercise::ReportMade& report, std::uint64_t until) {
-            return std::ranges::any_of(trials_.orders(), [&](const run::OrderView& order) {
-                const auto* made = std::get_if<exercise::ReportMade>(&order.command);
-                return made != nullptr && order.tick <= until && made->code == report.code &&
-                       made->side == report.side && made->order_number == report.order_number &&
-                       made->value == report.value;
-            });
-        };
         for (const run::OrderView& order : model) {
             const auto* report = std::get_if<exercise::ReportMade>(&order.command);
-            if (report == nullptr || order.tick < from || said(*report, order.tick + trials_.ticks(kSoon)))
+            if (report == nullptr || order.tick < from ||
+                trials_.said_before(*report, order.tick + trials_.ticks(kSoon)))
                 continue;
             const bool repeats = report->code == exercise::ReportCode::order_repeated;
             return Change{.kind = repeats ? ChangeKind::order_repeated : ChangeKind::report_given,

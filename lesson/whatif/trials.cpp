@@ -151,7 +151,7 @@ private:
             return;
         }
         for (const exercise::ReportMade& report : std::exchange(hands_->said, {}))
-            if (!was_made(report)) take(report);
+            if (!trials_.said_before(report, model_from_)) take(report);
         for (const exercise::Order& order : now)
             take(order);
     }
@@ -167,15 +167,6 @@ private:
             });
             if (recorded != orders_.end()) take(recorded->command);
         }
-    }
-
-    bool was_made(const exercise::ReportMade& report) const {
-        return std::ranges::any_of(trials_.orders_, [&](const run::OrderView& order) {
-            const auto* made = std::get_if<exercise::ReportMade>(&order.command);
-            return made != nullptr && order.tick < model_from_ && made->code == report.code &&
-                   made->side == report.side && made->order_number == report.order_number &&
-                   made->value == report.value;
-        });
     }
 
     const Trials& trials_;
@@ -238,6 +229,15 @@ Trials::Trials(const Attempt& attempt, const std::vector<trainee::Script>& model
     if (!assessor.ended()) throw std::runtime_error(def.name + ": its lesson did not come to an end");
     recorded_ = assessor.result();
     state_ = assessor.state();
+}
+
+bool Trials::said_before(const exercise::ReportMade& report, std::uint64_t tick) const {
+    return std::ranges::any_of(orders_, [&](const run::OrderView& order) {
+        const auto* made = std::get_if<exercise::ReportMade>(&order.command);
+        return made != nullptr && order.tick < tick && made->code == report.code &&
+               made->side == report.side && made->order_number == report.order_number &&
+               made->value == report.value;
+    });
 }
 
 std::size_t Trials::checkpoint_before(std::uint64_t tick) const {

@@ -48,6 +48,8 @@ public:
     const assess::Lesson& lesson() const { return *lesson_; }
     const assess::Result& recorded() const { return recorded_; } ///< the marks of the attempt as it was
     const assess::State& state() const { return state_; }        ///< of its end
+    /// Whether the recorded hands have said the same before that tick.
+    bool said_before(const exercise::ReportMade& report, std::uint64_t tick) const;
     /// Orders of hands and instructors; not what the lesson itself orders, which comes again by itself.
     const std::vector<run::OrderView>& orders() const { return orders_; }
     const LeversAtFirst& levers() const { return levers_; } ///< before any order

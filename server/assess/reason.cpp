@@ -181,18 +181,19 @@ std::string found_words(const Lesson& lesson, const Condition& condition, int pa
 std::string but_found(const Lesson& lesson, const Condition& condition, int part, double value) {
     const std::size_t parts = condition.bounds.size() + (condition.phases != 0 ? 1 : 0) +
                               condition.signs.size() + condition.either.size() + condition.neither.size();
-    if (parts != 1 || condition.hold > 0) return "; but " + found_words(lesson, condition, part, value);
+    const bool one_figure_or_sign = !condition.bounds.empty() || !condition.signs.empty();
+    if (parts != 1 || condition.hold > 0 || !one_figure_or_sign)
+        return "; but " + found_words(lesson, condition, part, value);
     if (!condition.signs.empty()) return "; it was not";
-    if (condition.bounds.empty()) return "; but " + found_words(lesson, condition, part, value);
     const std::string unit = quantity_at(condition.bounds.front().quantity).unit;
     if (unit == "yes") return value > 0.5 ? "; it was" : "; it was not";
     return "; it was " + figure_text(value, unit);
 }
 
 std::string lost(const Criterion& criterion, const Mark& mark) {
-    const int lost = (criterion.weight * (1000 - mark.milli) + 50) / 100; // tenths of a point
-    if (lost == 0) return "";
-    return tenths(lost / 10.0) + " of " + std::to_string(criterion.weight) + " points lost";
+    const int points = (criterion.weight * (1000 - mark.milli) + 50) / 100; // tenths of a point
+    if (points == 0) return "";
+    return tenths(points / 10.0) + " of " + std::to_string(criterion.weight) + " points lost";
 }
 
 std::string limit_words(const Criterion& criterion, const Mark& mark, int rate) {
