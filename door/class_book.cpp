@@ -4,11 +4,18 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <regex>
 
 namespace windlass::door {
 
 using nlohmann::json;
+
+namespace {
+
+constexpr double kLookApart = 1; // s: an exercise is looked at twice a second
+
+} // namespace
 
 std::optional<Place> place_named(const std::string& name) {
     const auto found = std::ranges::find(kPlaceNames, name);
@@ -35,10 +42,56 @@ std::vector<std::string> TrainingClass::manned() const {
     return found;
 }
 
+std::vector<Part> TrainingClass::parts(const std::string& exercise) const {
+    const auto found = results.find(exercise);
+    const Result its = found == results.end() ? Result() : found->second;
+    const double began = its.began.value_or(its.time) + kLookApart,
+                 marked = its.marked.value_or(std::numeric_limits<double>::infinity());
+    std::vector<Relieved> all;
+    std::ranges::copy_if(relieved, std::back_inserter(all),
+                         [&](const Relieved& each) { return each.exercise == exercise; });
+    for (const Trainee& each : trainees)
+        if (each.exercise == exercise) {
+            const double end = std::numeric_limits<double>::infinity();
+            all.push_back({each.name, exercise, each.place, each.since, end});
+        }
+    std::erase_if(all, [&](const Relieved& each) {
+        return each.until <= began || (each.since > began && each.since >= marked);
+    });
+    std::ranges::stable_sort(all, {}, [](const Relieved& each) { return std::pair(each.place, each.since); });
+    std::vector<Relieved> merged;
+    for (Relieved& each : all)
+        if (!merged.empty() && merged.back().name == each.name && merged.back().place == each.place)
+            merged.back().until = each.until;
+        else
+            merged.push_back(std::move(each));
+    std::vector<Part> found_parts;
+    for (const Relieved& each : merged)
+        found_parts.push_back({.name = each.name,
+                               .place = each.place,
+                               .since = each.since <= began ? std::nullopt : std::optional(each.since),
+                               .until = each.until >= marked ? std::nullopt : std::optional(each.until)});
+    return found_parts;
+}
+
+std::string part_words(const Part& of) {
+    const auto clock = [](double time) {
+        const auto s = static_cast<long>(time);
+        return fmt::format("{}:{:02}", s / 60, s % 60);
+    };
+    std::string words = of.since ? "from " + clock(*of.since) : "";
+    if (of.until) words += (words.empty() ? "to " : " to ") + clock(*of.until);
+    return words;
+}
+
 namespace {
 
-std::optional<double> points_of(const json& kept) {
+std::optional<double> number_or_none(const json& kept) {
     return kept.is_null() ? std::nullopt : std::optional(kept.get<double>());
+}
+
+json or_null(std::optional<double> number) {
+    return number ? json(*number) : json();
 }
 
 } // namespace
@@ -55,6 +108,7 @@ ClassBook::ClassBook(const json& kept) {
                            .exercises = each.at("exercises"),
                            .names = each.value("names", std::vector<std::string>()),
                            .trainees = {},
+                           .relieved = {},
                            .results = {},
                            .over = each.at("over"),
                            .launch = each.value("launch", std::string())};
@@ -62,14 +116,24 @@ ClassBook::ClassBook(const json& kept) {
             made.from = Moment{.recording = from->at("recording"), .position = from->at("position")};
         for (const auto& [exercise, result] : each.at("results").items())
             made.results[exercise] = {.recording = result.at("recording"),
-                                      .points = points_of(result.at("points")),
+                                      .points = number_or_none(result.at("points")),
                                       .outcome = result.at("outcome"),
-                                      .in_history = result.value("in_history", false)};
+                                      .in_history = result.value("in_history", false),
+                                      .time = result.value("time", 0.0),
+                                      .began = number_or_none(result.value("began", json())),
+                                      .marked = number_or_none(result.value("marked", json()))};
         for (const json& one : each.at("trainees"))
             made.trainees.push_back({.name = one.at("name"),
                                      .key = one.at("key"),
                                      .exercise = one.at("exercise"),
-                                     .place = place_named(one.at("place")).value()});
+                                     .place = place_named(one.at("place")).value(),
+                                     .since = one.value("since", 0.0)});
+        for (const json& one : each.value("relieved", json::array()))
+            made.relieved.push_back({.name = one.at("name"),
+                                     .exercise = one.at("exercise"),
+                                     .place = place_named(one.at("place")).value(),
+                                     .since = one.at("since"),
+                                     .until = one.at("until")});
         classes_.push_back(std::move(made));
     }
 }
@@ -82,13 +146,24 @@ json ClassBook::to_json() const {
             trainees.push_back({{"name", one.name},
                                 {"key", one.key},
                                 {"exercise", one.exercise},
-                                {"place", name_of(one.place)}});
+                                {"place", name_of(one.place)},
+                                {"since", one.since}});
+        json relieved = json::array();
+        for (const Relieved& one : each.relieved)
+            relieved.push_back({{"name", one.name},
+                                {"exercise", one.exercise},
+                                {"place", name_of(one.place)},
+                                {"since", one.since},
+                                {"until", one.until}});
         json results = json::object();
         for (const auto& [exercise, result] : each.results)
             results[exercise] = {{"recording", result.recording},
-                                 {"points", result.points ? json(*result.points) : json()},
+                                 {"points", or_null(result.points)},
                                  {"outcome", result.outcome},
-                                 {"in_history", result.in_history}};
+                                 {"in_history", result.in_history},
+                                 {"time", result.time},
+                                 {"began", or_null(result.began)},
+                                 {"marked", or_null(result.marked)}};
         list.push_back({{"id", each.id},
                         {"lesson", each.lesson},
                         {"practice", each.practice},
@@ -100,6 +175,7 @@ json ClassBook::to_json() const {
                         {"over", each.over},
                         {"launch", each.launch},
                         {"results", std::move(results)},
+                        {"relieved", std::move(relieved)},
                         {"trainees", std::move(trainees)}});
         if (each.from)
             list.back()["from"] = {{"recording", each.from->recording}, {"position", each.from->position}};
@@ -159,6 +235,7 @@ const TrainingClass& ClassBook::open(const std::string& id, const std::string& l
                        .exercises = {},
                        .names = std::move(names),
                        .trainees = {},
+                       .relieved = {},
                        .results = {}};
     made.from = std::move(from);
     for (int i = 1; i <= exercises; ++i)
@@ -205,6 +282,7 @@ Trainee ClassBook::launch(const std::string& id, const std::string& session, con
                         .exercises = {exercise},
                         .names = {name},
                         .trainees = {seated},
+                        .relieved = {},
                         .results = {},
                         .launch = session});
     return seated;
@@ -221,6 +299,21 @@ void ClassBook::forget(const std::string& id) {
     });
 }
 
+namespace {
+
+/// An exercise stands at that time again.
+void go_back(TrainingClass& its_class, const std::string& exercise, double time) {
+    std::erase_if(its_class.relieved, [&](Relieved& each) {
+        if (each.exercise != exercise) return false;
+        each.until = std::min(each.until, time);
+        return each.since >= each.until;
+    });
+    for (Trainee& each : its_class.trainees)
+        if (each.exercise == exercise) each.since = std::min(each.since, time);
+}
+
+} // namespace
+
 bool ClassBook::note(const std::string& id, const std::string& exercise, const Result& result) {
     const auto its_class = std::ranges::find(classes_, id, &TrainingClass::id);
     if (its_class == classes_.end()) return false;
@@ -229,7 +322,13 @@ bool ClassBook::note(const std::string& id, const std::string& exercise, const R
     known = result;
     if (known.recording.empty()) known.recording = before.recording; // of a door before this one
     known.in_history = before.in_history && known.recording == before.recording;
-    return known.recording != before.recording || known.outcome != before.outcome;
+    if (result.time < before.time) go_back(*its_class, exercise, result.time);
+    known.began = before.began     ? std::min(*before.began, result.time)
+                  : result.running ? std::optional(result.time)
+                                   : std::nullopt;
+    if (!result.outcome.empty()) known.marked = std::min(before.marked.value_or(result.time), result.time);
+    return known.recording != before.recording || known.outcome != before.outcome ||
+           known.began != before.began;
 }
 
 void ClassBook::note_in_history(const std::string& recording) {
@@ -246,16 +345,15 @@ std::string marks_csv(const TrainingClass& of) {
             quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
         return quoted + '"';
     };
-    std::string csv = "class,lesson,exercise,seat,trainee,points,outcome,recording\r\n";
+    std::string csv = "class,lesson,exercise,seat,trainee,points,outcome,recording,part\r\n";
     for (const std::string& exercise : of.exercises)
-        for (const Trainee& each : of.trainees) {
-            if (each.exercise != exercise) continue;
+        for (const Part& each : of.parts(exercise)) {
             const auto found = of.results.find(exercise);
             const Result result = found == of.results.end() ? Result() : found->second;
-            csv += fmt::format("{},{},{},{},{},{},{},{}\r\n", field(of.id), field(of.lesson), field(exercise),
-                               name_of(each.place), field(each.name),
+            csv += fmt::format("{},{},{},{},{},{},{},{},{}\r\n", field(of.id), field(of.lesson),
+                               field(exercise), name_of(each.place), field(each.name),
                                result.points ? fmt::format("{:.1f}", *result.points) : std::string(),
-                               result.outcome, field(result.recording));
+                               result.outcome, field(result.recording), part_words(each));
         }
     return csv;
 }
@@ -279,8 +377,11 @@ Trainee ClassBook::join(const std::string& id, const std::string& name, const st
             if (std::ranges::none_of(joined.trainees, [&](const Trainee& each) {
                     return each.exercise == exercise && each.place == place;
                 }))
-                return joined.trainees.emplace_back(
-                    Trainee{.name = name, .key = key, .exercise = exercise, .place = place});
+                return joined.trainees.emplace_back(Trainee{.name = name,
+                                                            .key = key,
+                                                            .exercise = exercise,
+                                                            .place = place,
+                                                            .since = time_in(joined, exercise)});
     throw Denied(409, "every seat of this class is taken");
 }
 
@@ -305,8 +406,8 @@ Trainee ClassBook::sit(const std::string& id, const std::string& name, const std
         if (each.name == name) throw Denied(409, name + " has a seat in this class already");
         if (each.exercise == there && each.place == place) throw Denied(409, each.name + " sits here");
     }
-    return its_class.trainees.emplace_back(
-        Trainee{.name = name, .key = key, .exercise = there, .place = place});
+    return its_class.trainees.emplace_back(Trainee{
+        .name = name, .key = key, .exercise = there, .place = place, .since = time_in(its_class, there)});
 }
 
 std::optional<ClassBook::Seated> ClassBook::seated(const std::string& key) const {
@@ -325,15 +426,21 @@ std::vector<std::string> ClassBook::move(const std::string& id, const std::strin
     if (std::ranges::find(its_class.exercises, exercise) == its_class.exercises.end() ||
         std::ranges::find(places, place) == places.end())
         throw Denied(400, "this class has no such seat");
+    if (mover->exercise == exercise && mover->place == place) return {};
+    const auto take = [&](Trainee& who, const std::string& there, Place at) {
+        relieve(its_class, who);
+        who.exercise = there;
+        who.place = at;
+        who.since = time_in(its_class, there);
+    };
+    const Trainee before = *mover;
     std::vector<std::string> moved{name};
     for (Trainee& other : its_class.trainees)
         if (&other != &*mover && other.exercise == exercise && other.place == place) {
-            other.exercise = mover->exercise;
-            other.place = mover->place;
+            take(other, before.exercise, before.place);
             moved.push_back(other.name);
         }
-    mover->exercise = exercise;
-    mover->place = place;
+    take(*mover, exercise, place);
     return moved;
 }
 
@@ -341,9 +448,23 @@ std::string ClassBook::remove(const std::string& id, const std::string& name) {
     TrainingClass& its_class = mine(id);
     const auto found = std::ranges::find(its_class.trainees, name, &Trainee::name);
     if (found == its_class.trainees.end()) throw Denied(404, "nobody of that name is in this class");
+    relieve(its_class, *found);
     std::string key = found->key;
     its_class.trainees.erase(found);
     return key;
+}
+
+double ClassBook::time_in(const TrainingClass& of, const std::string& exercise) {
+    const auto found = of.results.find(exercise);
+    return found == of.results.end() ? 0 : found->second.time;
+}
+
+/// Of an exercise that has begun.
+void ClassBook::relieve(TrainingClass& of, const Trainee& who) {
+    const auto found = of.results.find(who.exercise);
+    if (found == of.results.end() || !found->second.began) return;
+    const double now = found->second.time;
+    if (who.since < now) of.relieved.push_back({who.name, who.exercise, who.place, who.since, now});
 }
 
 } // namespace windlass::door

@@ -29,6 +29,14 @@ struct Trainee {
     std::string key; ///< of the one browser that has the seat; empty: the class is over
     std::string exercise;
     Place place = Place::ship;
+    double since = 0; ///< s of exercise: when he took it
+};
+
+/// Somebody who had a seat of an exercise and has it no more: moved, freed, gone.
+struct Relieved {
+    std::string name, exercise;
+    Place place = Place::ship;
+    double since = 0, until = 0; ///< s of exercise
 };
 
 /// What came of one exercise so far.
@@ -38,6 +46,17 @@ struct Result {
     std::string outcome =
         {}; ///< Assessment's: achieved, not_yet, not_shown, or practice; empty: not marked to the end
     bool in_history = false; ///< the attempt that this recording has
+    double time = 0;         ///< s of exercise, as it was heard last
+    bool running = false;    ///< the same
+    /// s of exercise: when it was heard running first, and marked to the end. The book's own.
+    std::optional<double> began = {}, marked = {};
+};
+
+/// Whose work an exercise was, of one seat of it.
+struct Part {
+    std::string name;
+    Place place = Place::ship;
+    std::optional<double> since = {}, until = {}; ///< s of exercise; nothing: from its beginning, to its end
 };
 
 /// A moment of a recording.
@@ -56,6 +75,7 @@ struct TrainingClass {
     std::vector<std::string> exercises;
     std::vector<std::string> names; ///< who may join; empty: whoever has the code
     std::vector<Trainee> trainees;
+    std::vector<Relieved> relieved;
     std::map<std::string, Result> results; ///< by exercise
     bool over = false;
     std::string launch = {}; ///< of a learning system: its session; empty: an instructor's class
@@ -65,6 +85,9 @@ struct TrainingClass {
     const Trainee* find(const std::string& name) const;
     /// Exercises in which somebody has a seat.
     std::vector<std::string> manned() const;
+    /// Who worked in an exercise, by seat and then time: who sits there, and who was relieved after it had
+    /// begun and before it was marked. Who comes back, with nobody in between, never was away.
+    std::vector<Part> parts(const std::string& exercise) const;
 };
 
 /// One thread.
@@ -110,7 +133,8 @@ public:
     void end(const std::string& id);
 
     /// What is known of an exercise now; of a class that is over, too. True: another recording or outcome
-    /// than before, which has to be kept; points come again by themselves.
+    /// than before, or it has begun, which has to be kept; points come again by themselves. Where its time
+    /// goes back (a reset, an earlier moment), what was done behind that is nobody's work.
     bool note(const std::string& id, const std::string& exercise, const Result& result);
 
     /// The attempt of that recording is in the history, and need not be put there again.
@@ -146,12 +170,17 @@ public:
 
 private:
     TrainingClass& mine(const std::string& id);
+    static double time_in(const TrainingClass& of, const std::string& exercise);
+    static void relieve(TrainingClass& of, const Trainee& who);
     std::size_t count(bool launched, bool over) const;
 
     std::vector<TrainingClass> classes_;
 };
 
-/// A class for a table: RFC 4180, one row a seat that was taken.
+/// "", "to 4:00", "from 4:00", "from 2:00 to 4:00".
+std::string part_words(const Part& of);
+
+/// A class for a table: RFC 4180, one row a part of a seat that was taken.
 std::string marks_csv(const TrainingClass& of);
 
 /// The seats of each exercise of a crew of so many.

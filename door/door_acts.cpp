@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 
 namespace windlass::door {
 
@@ -92,9 +93,11 @@ void DoorHost::next(const std::string& id, const Reply& reply) {
         return !one.second.recording.empty() && !one.second.in_history;
     });
     if (waits) return reply(answer({{"waits", true}, {"next", json::array()}}));
-    std::vector<std::string> names;
-    for (const Trainee& each : its_class->trainees)
-        names.push_back(each.name);
+    std::set<std::string> all;
+    for (const std::string& exercise : its_class->exercises)
+        for (const Part& each : its_class->parts(exercise))
+            all.insert(each.name);
+    const std::vector<std::string> names(all.begin(), all.end());
     slow_.add<json>([ask = options_.next, names] { return ask(names); },
                     [](const json& list) {
                         return answer({{"waits", false}, {"next", list}});
@@ -116,13 +119,13 @@ gateway::Verdict as_page(std::string page) {
         .kind = gateway::Verdict::Kind::answer, .type = "text/html; charset=utf-8", .body = std::move(page)};
 }
 
-/// Who sat in an exercise: "anna", "anna, forecastle; ben, bridge"; its name where nobody did.
+/// Who sat in an exercise: "anna", "anna, forecastle; ben, bridge to 4:00"; its name where nobody did.
 std::string who_sat(const TrainingClass& of, const std::string& exercise) {
     std::string who;
-    for (const Trainee& each : of.trainees) {
-        if (each.exercise != exercise) continue;
+    for (const Part& each : of.parts(exercise)) {
         who += (who.empty() ? "" : "; ") + each.name;
         if (of.crew > 1) who += std::string(", ") + name_of(each.place);
+        if (const std::string part = part_words(each); !part.empty()) who += ' ' + part;
     }
     return who.empty() ? exercise : who;
 }
@@ -463,10 +466,17 @@ json DoorHost::class_told(const TrainingClass& told) {
                 }
             seats.push_back(std::move(seat));
         }
+        json parts = json::array();
+        for (const Part& part : told.parts(exercise))
+            parts.push_back({{"name", part.name},
+                             {"place", name_of(part.place)},
+                             {"since", part.since ? json(*part.since) : json()},
+                             {"until", part.until ? json(*part.until) : json()}});
         const auto known = told.results.find(exercise);
         const Result result = known == told.results.end() ? Result() : known->second;
         json each{{"exercise", exercise},
                   {"seats", std::move(seats)},
+                  {"parts", std::move(parts)},
                   {"state", nullptr},
                   {"time", 0},
                   {"recording", result.recording},

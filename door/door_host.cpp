@@ -137,7 +137,12 @@ void DoorHost::note_results() {
     bool news = false;
     for (const auto& each : book_.classes())
         for (const std::string& exercise : each.exercises)
-            if (runs_.told(exercise)) news |= book_.note(each.id, exercise, runs_.result(exercise));
+            if (const auto told = runs_.told(exercise)) {
+                Result now = runs_.result(exercise);
+                now.time = told->time();
+                now.running = told->state() == RUN_RUNNING;
+                news |= book_.note(each.id, exercise, now);
+            }
     if (news) keep_classes();
 }
 
@@ -148,10 +153,9 @@ void DoorHost::keep_attempts() {
         for (const auto& [exercise, result] : each.results) {
             const bool whole = !runs_.told(exercise) && !stations_.instructor().recording_of(exercise);
             if (!each.over || result.recording.empty() || result.in_history || !whole) continue;
-            AttemptMade made{.recording = result.recording, .class_id = each.id, .seats = {}};
-            std::ranges::copy_if(each.trainees, std::back_inserter(made.seats),
-                                 [&, &its = exercise](const Trainee& one) { return one.exercise == its; });
-            if (made.seats.empty() || !asked_for_history_.insert(made.recording).second) continue;
+            const AttemptMade made{
+                .recording = result.recording, .class_id = each.id, .parts = each.parts(exercise)};
+            if (made.parts.empty() || !asked_for_history_.insert(made.recording).second) continue;
             slow_.add<bool>(
                 [put = options_.put_in_history, made] {
                     put(made);

@@ -20,14 +20,14 @@ namespace windlass::door {
 
 /// What a class that is over leaves of one exercise.
 struct AttemptMade {
-    std::string recording;      ///< its name
-    std::string class_id;       ///< of whom they are
-    std::vector<Trainee> seats; ///< that were taken at the end
+    std::string recording;   ///< its name
+    std::string class_id;    ///< of whom they are
+    std::vector<Part> parts; ///< whose work it was
 };
 
 /// One exercise of a class that is over.
 struct ExerciseMade {
-    std::string who;       ///< "anna, forecastle; ben, bridge"; its name where nobody sat there
+    std::string who;       ///< "anna, forecastle; ben, bridge to 4:00"; its name where nobody sat there
     std::string recording; ///< its name; empty: none was made
 };
 

@@ -216,11 +216,12 @@ nlohmann::json next_of(const Options& options, const std::map<std::string, std::
 void put_in_history(const Options& options, const door::AttemptMade& made) {
     recording::Recording recording({options.recordings / made.recording});
     std::vector<history::Seated> seats;
-    for (const door::Trainee& each : made.seats)
+    for (const door::Part& each : made.parts)
         seats.push_back({.pseudonym = pseudonym_of(each.name),
                          .name = each.name,
                          .group = made.class_id,
-                         .seat = door::name_of(each.place)});
+                         .seat = door::name_of(each.place),
+                         .part = door::part_words(each)});
     const bool replace = true; // a seat that was another's before the last word of the class
     history::History(options.history)
         .add(debrief::read_attempt(recording), seats, options.recordings / made.recording, replace);

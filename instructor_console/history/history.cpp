@@ -21,9 +21,10 @@ History::History(const std::filesystem::path& file) : database_(file) {
                             "{}, {} is known here)",
                             file.string(), version, kSchemaVersion));
         if (version == kSchemaVersion) return;
-        if (version == 1 || version == 2) {
+        if (version >= 1) {
             if (version == 1) database_.run_all(kFromVersion1);
-            database_.run_all(kFromVersion2);
+            if (version <= 2) database_.run_all(kFromVersion2);
+            database_.run_all(kFromVersion3);
             database_.run_all(fmt::format("PRAGMA user_version = {}", kSchemaVersion));
             return;
         }
@@ -120,9 +121,9 @@ std::string History::confirm(const std::string& beginning, const Word& word, con
 std::vector<Listed> History::list(const Wanted& wanted) {
     std::vector<Listed> all;
     const auto rows = database_.run(
-        "SELECT attempt.id, began_at, lesson.name, lesson.title, (SELECT group_concat(pseudonym || ' (' || "
-        "seat || ')', "
-        "', ') FROM seat JOIN trainee ON trainee.id = seat.trainee WHERE seat.attempt = attempt.id), "
+        "SELECT attempt.id, began_at, lesson.name, lesson.title, (SELECT group_concat(who, ', ') FROM "
+        "(SELECT pseudonym || ' (' || trim(seat || ' ' || part) || ')' AS who FROM seat JOIN trainee ON "
+        "trainee.id = seat.trainee WHERE seat.attempt = attempt.id ORDER BY seat.rowid)), "
         "coalesce(score_final, "
         "score_computed), CASE WHEN practice THEN 'practice' ELSE coalesce(outcome_final, outcome) END, "
         "ended, "
@@ -161,13 +162,13 @@ std::string field(const std::string& text) {
 } // namespace
 
 std::string History::csv(bool with_names) {
-    std::string csv = "attempt,began_at,lesson,title,seat,pseudonym,group,score_computed,score_final,outcome,"
-                      "outcome_computed,ended,"
-                      "confirmed_by,confirmed_at,assessment_hash,recording_sha256,hints";
+    std::string csv = "attempt,began_at,lesson,title,seat,part,pseudonym,group,score_computed,"
+                      "score_final,outcome,outcome_computed,ended,confirmed_by,confirmed_at,assessment_hash,"
+                      "recording_sha256,hints";
     csv += with_names ? ",name\r\n" : "\r\n";
     const auto rows = database_.run(
         std::string(
-            "SELECT attempt.id, began_at, lesson.name, lesson.title, seat.seat, pseudonym, group_name, "
+            "SELECT attempt.id, began_at, lesson.name, lesson.title, seat.seat, part, pseudonym, group_name, "
             "score_computed / 10.0, score_final / 10.0, CASE WHEN practice THEN 'practice' ELSE "
             "coalesce(outcome_final, outcome) END, outcome, ended, "
             "confirmed_by, confirmed_at, "
@@ -175,7 +176,7 @@ std::string History::csv(bool with_names) {
         (with_names ? ", trainee.name" : "") +
         " FROM attempt JOIN lesson ON lesson.hash = lesson_hash LEFT JOIN seat ON seat.attempt = attempt.id "
         "LEFT JOIN "
-        "trainee ON trainee.id = seat.trainee ORDER BY began_at, attempt.id, seat.seat");
+        "trainee ON trainee.id = seat.trainee ORDER BY began_at, attempt.id, seat.seat, seat.rowid");
     for (const Row& row : rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
             const auto* score = std::get_if<double>(&row[i]);

@@ -14,6 +14,7 @@ struct Seated {
     std::string name;      ///< empty: it stays as it is
     std::string group;     ///< the same
     std::string seat = "forecastle";
+    std::string part = {}; ///< of the attempt in which he had it, "from 4:00"; empty: all of it
 };
 
 /// One row of the list.
@@ -39,8 +40,9 @@ public:
     explicit History(const std::filesystem::path& file);
 
     /// Puts an attempt in, or what is made of it now in the place of what was; seats are added to those that
-    /// it has. recording: where it is. replace: who has a seat already gives way. Returns its id. Throws
-    /// std::invalid_argument for a seat or pseudonym that is none, and for a seat that two would have.
+    /// it has. recording: where it is. replace: whoever has one of these seats already gives way. Returns its
+    /// id. Throws std::invalid_argument for a seat or pseudonym that is none, and for a seat that two would
+    /// have.
     std::string add(const debrief::Attempt& attempt, const std::vector<Seated>& seats,
                     const std::filesystem::path& recording, bool replace = false);
 

@@ -162,7 +162,7 @@ namespace {
 void must_be_apart(const std::vector<Seated>& seats) {
     for (std::size_t i = 0; i < seats.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
-            if (seats[i].seat == seats[k].seat)
+            if (seats[i].seat == seats[k].seat && seats[i].part == seats[k].part)
                 throw std::invalid_argument(fmt::format(
                     "{} and {} cannot both have the seat \"{}\": give a --seat for each --trainee, e.g. "
                     "--seat port --seat starboard",
@@ -174,15 +174,15 @@ void must_be_apart(const std::vector<Seated>& seats) {
 void History::seat(const std::string& id, const Seated& seated, bool replace) {
     const auto others = database_.run(
         "SELECT pseudonym FROM seat JOIN trainee ON trainee.id = seat.trainee WHERE attempt = ? "
-        "AND seat = ? AND pseudonym <> ?",
-        {id, seated.seat, seated.pseudonym});
+        "AND seat = ? AND part = ? AND pseudonym <> ?",
+        {id, seated.seat, seated.part, seated.pseudonym});
     if (!others.empty() && !replace)
         throw std::invalid_argument(fmt::format("the seat \"{}\" of this attempt is {}'s: give another "
                                                 "--seat, or --replace to put {} in that place",
                                                 seated.seat, text_of(others[0][0]), seated.pseudonym));
-    database_.run("INSERT INTO seat VALUES(?, ?, ?) ON CONFLICT(attempt, seat) DO UPDATE SET trainee = "
-                  "excluded.trainee",
-                  {id, trainee(seated), seated.seat});
+    database_.run("INSERT INTO seat(attempt, trainee, seat, part) VALUES(?, ?, ?, ?) "
+                  "ON CONFLICT(attempt, seat, part) DO UPDATE SET trainee = excluded.trainee",
+                  {id, trainee(seated), seated.seat, seated.part});
 }
 
 std::string History::add(const debrief::Attempt& attempt, const std::vector<Seated>& seats,
@@ -225,6 +225,9 @@ std::string History::add(const debrief::Attempt& attempt, const std::vector<Seat
         put_marks(attempt, id);
         put_said(attempt, id);
         put_words(attempt, id);
+        if (replace)
+            for (const Seated& each : seats)
+                database_.run("DELETE FROM seat WHERE attempt = ? AND seat = ?", {id, each.seat});
         for (const Seated& each : seats)
             seat(id, each, replace);
     });

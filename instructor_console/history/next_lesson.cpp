@@ -18,25 +18,24 @@ struct Done {
     std::string attempt, outcome, recording, exercise;
     json lesson; ///< of its file; an object without members where none was attached to the recording
     bool practice;
+    bool in_part; ///< another had the seat before or after him: it shows nobody's competence
 };
 
 std::vector<Done> done_by(Database& database, const std::string& pseudonym) {
     if (database.run("SELECT id FROM trainee WHERE pseudonym = ?", {pseudonym}).empty())
         throw std::invalid_argument(fmt::format("\"{}\": there is no trainee of that pseudonym", pseudonym));
     std::vector<Done> all;
-    for (const Row& row : database.run(
-             "SELECT attempt.id, coalesce(outcome_final, outcome), recording, lesson.name, "
-             "lesson.json, practice FROM "
-             "attempt "
-             "JOIN lesson ON lesson.hash = lesson_hash WHERE EXISTS(SELECT 1 FROM seat JOIN trainee ON "
-             "trainee.id = seat.trainee WHERE seat.attempt = attempt.id AND pseudonym = ?) ORDER BY "
-             "began_at, "
-             "attempt.id",
-             {pseudonym})) {
+    for (const Row& row :
+         database.run("SELECT attempt.id, coalesce(outcome_final, outcome), recording, lesson.name, "
+                      "lesson.json, practice, min(part <> '') FROM attempt "
+                      "JOIN lesson ON lesson.hash = lesson_hash JOIN seat ON seat.attempt = attempt.id "
+                      "JOIN trainee ON trainee.id = seat.trainee WHERE pseudonym = ? GROUP BY attempt.id "
+                      "ORDER BY began_at, attempt.id",
+                      {pseudonym})) {
         const json file = json::parse(text_of(row[4]), nullptr, false);
         json lesson = file.is_object() ? file.value("lesson", json::object()) : json::object();
         all.push_back({text_of(row[0]), text_of(row[1]), text_of(row[2]), text_of(row[3]), std::move(lesson),
-                       integer_of(row[5]) == 1});
+                       integer_of(row[5]) == 1, integer_of(row[6]) == 1});
     }
     return all;
 }
@@ -56,6 +55,7 @@ std::string missing(Database& database, const Done& of) {
 }
 
 std::string why_again(Database& database, const Done& last) {
+    if (last.in_part) return "another had the seat before or after; now alone, from beginning to end";
     if (last.outcome == "achieved") return "done for practice; now as a test, without hints";
     const std::string objectives = missing(database, last);
     return objectives.empty() ? "it was not achieved" : objectives;
@@ -69,14 +69,15 @@ std::optional<NextLesson> next_lesson(Database& database, const std::string& pse
     std::set<std::string> achieved, tried;
     for (const Done& each : all) {
         tried.insert(each.exercise);
-        if (!each.practice && each.outcome == "achieved") achieved.insert(each.exercise);
+        if (!each.practice && !each.in_part && each.outcome == "achieved") achieved.insert(each.exercise);
     }
     const auto open = [&](const Offered& lesson) { return !achieved.contains(lesson.exercise); };
     if (!all.empty()) {
         const Done& last = all.back();
         const auto again = std::ranges::find(offered, last.exercise, &Offered::exercise);
         if (again != offered.end() && open(*again))
-            return {{*again, why_again(database, last), last.recording, last.outcome != "achieved"}};
+            return {{*again, why_again(database, last), last.recording,
+                     last.outcome != "achieved" && !last.in_part}};
     }
     const auto first = std::ranges::find_if(offered, open);
     if (first == offered.end()) return std::nullopt;

@@ -1,10 +1,10 @@
 #pragma once
-// The tables of the history, version 3. Scores are in tenths of a point of 100; times of day are ISO 8601 in
+// The tables of the history, version 4. Scores are in tenths of a point of 100; times of day are ISO 8601 in
 // UTC.
 
 namespace windlass::history {
 
-inline constexpr int kSchemaVersion = 3; ///< PRAGMA user_version
+inline constexpr int kSchemaVersion = 4; ///< PRAGMA user_version
 
 inline constexpr const char* kSchema = R"(
 CREATE TABLE trainee(id INTEGER PRIMARY KEY, pseudonym TEXT UNIQUE NOT NULL, name TEXT, group_name TEXT, removed_at TEXT);
@@ -14,7 +14,8 @@ CREATE TABLE attempt(id TEXT PRIMARY KEY, lesson_hash TEXT NOT NULL REFERENCES l
   server_version TEXT, ended TEXT CHECK(ended IN('good','time','abort','instructor')), score_computed INTEGER,
   score_final INTEGER, outcome TEXT, assessment_hash TEXT, confirmed_by TEXT, confirmed_at TEXT, outcome_final TEXT,
   pass INTEGER, practice INTEGER NOT NULL DEFAULT 0, hints INTEGER NOT NULL DEFAULT 0);
-CREATE TABLE seat(attempt TEXT REFERENCES attempt, trainee INTEGER REFERENCES trainee, seat TEXT, PRIMARY KEY(attempt, seat));
+CREATE TABLE seat(attempt TEXT REFERENCES attempt, trainee INTEGER REFERENCES trainee, seat TEXT,
+  part TEXT NOT NULL DEFAULT '', PRIMARY KEY(attempt, seat, part));
 CREATE TABLE mark(attempt TEXT REFERENCES attempt, criterion TEXT, state TEXT, milli INTEGER, weight INTEGER, tick INTEGER,
   worst REAL, ticks_outside INTEGER, reason TEXT, PRIMARY KEY(attempt, criterion));
 CREATE TABLE objective(attempt TEXT REFERENCES attempt, id TEXT, stcw TEXT, outcome TEXT, PRIMARY KEY(attempt, id));
@@ -37,6 +38,15 @@ DELETE FROM override WHERE by = 'server';
 inline constexpr const char* kFromVersion2 = R"(
 ALTER TABLE attempt ADD COLUMN practice INTEGER NOT NULL DEFAULT 0;
 ALTER TABLE attempt ADD COLUMN hints INTEGER NOT NULL DEFAULT 0;
+)";
+
+/// From version 3, in which a seat was one trainee's from beginning to end.
+inline constexpr const char* kFromVersion3 = R"(
+CREATE TABLE seat_4(attempt TEXT REFERENCES attempt, trainee INTEGER REFERENCES trainee, seat TEXT,
+  part TEXT NOT NULL DEFAULT '', PRIMARY KEY(attempt, seat, part));
+INSERT INTO seat_4 SELECT attempt, trainee, seat, '' FROM seat;
+DROP TABLE seat;
+ALTER TABLE seat_4 RENAME TO seat;
 )";
 
 } // namespace windlass::history

@@ -195,12 +195,92 @@ TEST_F(Booked, AClassIsATableOfItsSeats) {
     book_.note("mon", "mon-1", {"mon-1-17", 71.25, "not_yet"});
     EXPECT_EQ(
         marks_csv(*book_.find("mon")),
-        "class,lesson,exercise,seat,trainee,points,outcome,recording\r\n"
+        "class,lesson,exercise,seat,trainee,points,outcome,recording,part\r\n"
         "\"mon\",\"L01_let_go_25m\",\"mon-1\",forecastle,\"anna \"\"the\"\" first, of two\",71.2,not_yet,"
-        "\"mon-1-17\"\r\n"
-        "\"mon\",\"L01_let_go_25m\",\"mon-1\",bridge,\"'=HYPERLINK(1)\",71.2,not_yet,\"mon-1-17\"\r\n"
-        "\"mon\",\"L01_let_go_25m\",\"mon-2\",forecastle,\"carl\",,,\"\"\r\n")
+        "\"mon-1-17\",\r\n"
+        "\"mon\",\"L01_let_go_25m\",\"mon-1\",bridge,\"'=HYPERLINK(1)\",71.2,not_yet,\"mon-1-17\",\r\n"
+        "\"mon\",\"L01_let_go_25m\",\"mon-2\",forecastle,\"carl\",,,\"\",\r\n")
         << "carl has not been marked";
+}
+
+/// Seats of an exercise at moments of it, as the door hears them.
+class Worked : public Booked {
+protected:
+    void at(double time, bool running = true, const std::string& outcome = "") {
+        Result now{.recording = "mon-1-17", .outcome = outcome};
+        now.time = time;
+        now.running = running;
+        book_.note("mon", "mon-1", now);
+    }
+    /// "anna forecastle to 4:00".
+    std::vector<std::string> parts() const {
+        std::vector<std::string> all;
+        for (const Part& each : ClassBook(book_.to_json()).find("mon")->parts("mon-1")) {
+            const std::string words = part_words(each);
+            all.push_back(each.name + ' ' + name_of(each.place) + (words.empty() ? "" : ' ' + words));
+        }
+        return all;
+    }
+};
+
+TEST_F(Worked, MarksAreOfAllWhoHadTheSeatAndSayWhichPart) {
+    book_.join("mon", "anna", "k1");
+    at(0, false);
+    at(0.4);
+    at(240);
+    book_.remove("mon", "anna");
+    EXPECT_THAT(parts(), ElementsAre("anna forecastle to 4:00")) << "though nobody sits there now";
+    at(300);
+    book_.join("mon", "ben", "k2");
+    at(720);
+    EXPECT_THAT(parts(), ElementsAre("anna forecastle to 4:00", "ben forecastle from 5:00"));
+    at(730, true, "achieved");
+    at(731, true, "achieved");
+    book_.remove("mon", "ben");
+    book_.join("mon", "carl", "k3");
+    at(760, true, "achieved");
+    EXPECT_THAT(parts(), ElementsAre("anna forecastle to 4:00", "ben forecastle from 5:00"))
+        << "what is marked was ben's to the end, and carl has done nothing of it";
+}
+
+TEST_F(Worked, WhoLeavesBeforeItBeginsHasNoPartAndWhoComesBackHasAllOfIt) {
+    book_.join("mon", "anna", "k1");
+    at(0, false);
+    book_.remove("mon", "anna");
+    book_.join("mon", "ben", "k2");
+    at(0.4);
+    EXPECT_THAT(parts(), ElementsAre("ben forecastle"));
+    at(240);
+    book_.remove("mon", "ben"); // whose tablet is flat
+    at(250);
+    book_.join("mon", "ben", "k3");
+    EXPECT_THAT(parts(), ElementsAre("ben forecastle"));
+}
+
+TEST_F(Worked, AnExerciseThatGoesOnFromAMomentBeginsThere) {
+    book_.join("mon", "anna", "k1");
+    at(0, false);
+    at(300, false); // it stands at its moment now
+    book_.join("mon", "ben", "k2");
+    at(300.4);
+    EXPECT_THAT(parts(), ElementsAre("anna forecastle", "ben bridge"));
+}
+
+TEST_F(Worked, WhoChangePlacesHaveAPartOfBoth) {
+    book_.join("mon", "anna", "k1");
+    book_.join("mon", "ben", "k2");
+    at(0.4);
+    at(100);
+    book_.move("mon", "anna", "mon-1", Place::bridge);
+    EXPECT_TRUE(book_.move("mon", "anna", "mon-1", Place::bridge).empty()) << "she sits there";
+    at(200);
+    EXPECT_THAT(parts(), ElementsAre("anna forecastle to 1:40", "ben forecastle from 1:40",
+                                     "ben bridge to 1:40", "anna bridge from 1:40"));
+    at(50); // an instructor goes back to there
+    EXPECT_THAT(parts(), ElementsAre("anna forecastle to 0:50", "ben forecastle from 0:50",
+                                     "ben bridge to 0:50", "anna bridge from 0:50"));
+    at(0, false); // and resets it
+    EXPECT_THAT(parts(), ElementsAre("ben forecastle", "anna bridge"));
 }
 
 TEST(PlacesOf, ACrewHasTheSeatsOfItsNumber) {

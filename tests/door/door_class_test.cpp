@@ -97,6 +97,36 @@ TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver)
     EXPECT_EQ(exercise(0)["seats"][0]["name"], "ben");
 }
 
+TEST_F(Class, ExerciseWhoseSeatChangesHandsIsTheWorkOfBoth) {
+    const std::string code = open_class("mon", 1, 1, "L01_let_go_25m");
+    expect_made("mon");
+    const auto told = [this] { return class_told("mon")["exercises"][0]; };
+    const auto lead = [this](nlohmann::json what) {
+        what["class"] = "mon";
+        return owner().post("/door/class", what).status;
+    };
+    Browser ben = trainee(code, "ben");
+    EXPECT_EQ(lead({{"do", "start"}}), 200);
+    ASSERT_TRUE(eventually([&] { return told()["time"] > 3.0; })) << door_->text();
+    EXPECT_EQ(lead({{"do", "remove"}, {"name", "ben"}}), 200);
+    EXPECT_EQ(told()["parts"].size(), 1U) << told();
+    Browser carl = trainee(code, "carl");
+    ASSERT_TRUE(eventually([&] { return told()["time"] > 6.0; })) << door_->text();
+    EXPECT_EQ(told()["parts"][0]["name"], "ben");
+    EXPECT_GE(told()["parts"][0]["until"], 3.0);
+    EXPECT_EQ(told()["parts"][1]["name"], "carl");
+    EXPECT_EQ(lead({{"do", "end"}}), 200);
+    ASSERT_TRUE(eventually([&] {
+        return content(folder_ / "door/classes.json").find("\"in_history\": true") != std::string::npos;
+    })) << door_->text();
+    rigs::ChildProcess history{
+        {INSTRUCTOR_CONSOLE, "history", "--file", (folder_ / "recordings/history.sqlite").string(), "list"}};
+    EXPECT_EQ(history.exit_code(), 0);
+    EXPECT_THAT(history.text(), AllOf(HasSubstr("ben (ship to 0:0"), HasSubstr("carl (ship from 0:0")));
+    EXPECT_THAT(owner().get("/door/side_by_side?class=mon").body, HasSubstr("carl from 0:0"));
+    EXPECT_THAT(owner().get("/door/marks.csv?class=mon").body, HasSubstr(",to 0:0"));
+}
+
 TEST_F(Class, IsStartedWhereSomebodySitsAndElsewhereOnceSomebodyDoes) {
     const std::string code = open_class("mon", 2, 1);
     expect_made("mon");

@@ -48,7 +48,7 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
     History history(file());
     int day = 0;
     const auto done = [&](const char* exercise, const char* outcome, bool practice = false,
-                          bool restored = false) {
+                          bool restored = false, const char* part = "") {
         test::DebriefedRun run;
         run.run = ++day;
         auto of = attempt(fmt::format("day {}", day).c_str(), run);
@@ -59,7 +59,8 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
         of.assessment->outcome(outcome);
         of.assessment->practice(practice);
         if (restored) of.events.emplace_back().code("exercise.restored");
-        history.add(of, {{.pseudonym = "t1", .name = "", .group = ""}}, fmt::format("day {}", day));
+        history.add(of, {{.pseudonym = "t1", .name = "", .group = "", .part = part}},
+                    fmt::format("day {}", day));
     };
     const auto next = [&] { return history.next("t1", offered); };
     EXPECT_THROW(next(), std::invalid_argument) << "nobody of that name";
@@ -74,6 +75,10 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
     EXPECT_FALSE(next()->practice);
     done("lower", "achieved", false, true);
     EXPECT_EQ(next()->lesson.id, "L02") << "who went on from a moment of an attempt was not tested";
+    done("lower", "achieved", false, false, "from 4:00");
+    EXPECT_EQ(next()->lesson.id, "L02") << "what was another's work, too, shows nobody's competence";
+    EXPECT_THAT(next()->why, HasSubstr("now alone"));
+    EXPECT_FALSE(next()->practice) << "he missed nothing";
     done("lower", "achieved");
     EXPECT_EQ(next()->lesson.id, "L01");
     EXPECT_EQ(next()->why, "not done yet");
@@ -129,6 +134,21 @@ TEST_F(HistoryTest, AttemptPutInTwiceIsOneWithBothSeats) {
                 testing::AllOf(HasSubstr("t1 (forecastle)"), HasSubstr("t2 (bridge)")));
     EXPECT_THAT(history.list({.trainee = "t2", .lesson = {}}), SizeIs(1));
     EXPECT_THAT(history.list({.trainee = "t3", .lesson = {}}), IsEmpty());
+}
+
+TEST_F(HistoryTest, SeatThatChangedHandsIsOfBothWithTheirParts) {
+    const auto of = attempt("monday");
+    History history(file());
+    const Seated anna{.pseudonym = "t1", .name = {}, .group = {}, .part = "to 4:00"},
+        ben{.pseudonym = "t2", .name = {}, .group = {}, .part = "from 4:00"};
+    history.add(of, {anna, ben}, "monday");
+    const std::string both = "t1 (forecastle to 4:00), t2 (forecastle from 4:00)";
+    EXPECT_EQ(history.list()[0].trainees, both);
+    history.add(of, {anna, ben}, "monday", true);
+    EXPECT_EQ(history.list()[0].trainees, both) << "and not four";
+    EXPECT_THAT(history.csv(false), HasSubstr(",forecastle,to 4:00,t1,"));
+    history.add(of, {{.pseudonym = "t2", .name = {}, .group = {}}}, "monday", true);
+    EXPECT_EQ(history.list()[0].trainees, "t2 (forecastle)");
 }
 
 TEST_F(HistoryTest, ErasedTraineeIsInTheFileNoMore) {
@@ -272,6 +292,8 @@ INSERT INTO lesson VALUES('h', 'l01', 'Let go', '');
 INSERT INTO attempt(id, lesson_hash, began_at, seed, run, score_computed, score_final, outcome, confirmed_by, confirmed_at)
   VALUES('a1', 'h', '2026-01-01T00:00:00Z', 1, 1, 800, 800, 'achieved', 'server', '2026-01-01T00:00:00Z'),
         ('a2', 'h', '2026-01-02T00:00:00Z', 1, 2, 800, 750, 'achieved', 'Ann', '2026-01-02T00:00:00Z');
+INSERT INTO trainee VALUES(1, 't1', NULL, NULL, NULL);
+INSERT INTO seat VALUES('a2', 1, 'forecastle');
 INSERT INTO override VALUES('a1', '', 'server', '2026-01-01T00:00:00Z', 'confirmed', 0, 'exercise ended: end');
 PRAGMA user_version = 1;)");
     }
@@ -281,6 +303,7 @@ PRAGMA user_version = 1;)");
     EXPECT_EQ(listed[0].confirmed_by, "");
     EXPECT_EQ(listed[1].confirmed_by, "Ann");
     EXPECT_EQ(listed[1].score, 750);
+    EXPECT_EQ(listed[1].trainees, "t1 (forecastle)") << "his from beginning to end";
     EXPECT_EQ(listed[1].outcome, "achieved") << "of a time when every attempt was a test";
     EXPECT_THROW(history.confirm("a2", {.by = "Ann", .score = 60, .note = "seen once more"}, ""),
                  std::invalid_argument)
@@ -295,7 +318,7 @@ TEST_F(HistoryTest, ExportHasNamesOnlyWhereTheyAreAskedFor) {
     History history(file());
     history.add(attempt("monday"), {{.pseudonym = "t1", .name = "Lind, \"Anna\"", .group = {}}}, "monday");
     EXPECT_THAT(history.csv(false), Not(HasSubstr("Lind")));
-    EXPECT_THAT(history.csv(false), HasSubstr(",forecastle,t1,"));
+    EXPECT_THAT(history.csv(false), HasSubstr(",forecastle,,t1,"));
     EXPECT_THAT(history.csv(true), HasSubstr("\"Lind, \"\"Anna\"\"\"\r\n"));
     EXPECT_THAT(history.csv(true), HasSubstr("\"let-go <port> & \"\"25m\"\"\""));
 }

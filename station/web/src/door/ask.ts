@@ -2,6 +2,7 @@
 
 import type { RunState } from "../wire/generated";
 import { t } from "../kit/language";
+import { clock } from "../kit/units";
 
 /** Why the door did not. */
 export class Denied extends Error {
@@ -94,6 +95,24 @@ export interface Seat {
   silent: number | null;
 }
 
+/** Whose work an exercise was, of one seat of it. */
+export interface Part {
+  name: string;
+  place: PlaceName;
+  /** s of exercise; null: from its beginning. */
+  since: number | null;
+  /** s of exercise; null: to its end. */
+  until: number | null;
+}
+
+/** "to 4:00"; empty: all of it. */
+export function partWords({ since, until }: Part): string {
+  if (since !== null && until !== null)
+    return t("from {since} to {until}", { since: clock(since), until: clock(until) });
+  if (since !== null) return t("from {time}", { time: clock(since) });
+  return until === null ? "" : t("to {time}", { time: clock(until) });
+}
+
 export interface ClassExercise {
   exercise: string;
   /** RunState, as it was told last; null: no server has it yet. */
@@ -102,6 +121,8 @@ export interface ClassExercise {
   /** A server tells of it now: else it was lost with its server, or is being made. */
   heard: boolean;
   seats: Seat[];
+  /** Who worked in it: who sits there, and who did and was relieved. */
+  parts: Part[];
   /** Its recording's name; empty: none was made. */
   recording: string;
   /** 0..100; null: it is not marked. */

@@ -3,7 +3,16 @@
 import { outcomeSaid } from "../kit/words";
 import { h } from "../kit/dom";
 import { clock } from "../kit/units";
-import { type ClassExercise, type From, type Next, type NextOfClass, type TrainingClass, ask, placeWords } from "./ask";
+import {
+  type ClassExercise,
+  type From,
+  type Next,
+  type NextOfClass,
+  type TrainingClass,
+  ask,
+  partWords,
+  placeWords,
+} from "./ask";
 import { t } from "../kit/language";
 
 /** In words: points, and what they mean once the lesson is over. */
@@ -92,25 +101,23 @@ export function classMarks(it: TrainingClass, title: string, open?: Open): HTMLE
     return cell;
   };
   const rows = it.exercises.flatMap((each) =>
-    each.seats
-      .filter(({ name }) => name !== null)
-      .map(({ name, place }) =>
+    each.parts.map((part) =>
+      h(
+        "tr",
+        { "data-exercise": each.exercise },
+        h("th", { scope: "row" }, part.name),
+        h("td", {}, [each.exercise, placeWords[part.place], partWords(part)].filter(Boolean).join(", ")),
+        h("td", { class: "marks" }, marksOf(each)),
         h(
-          "tr",
-          { "data-exercise": each.exercise },
-          h("th", { scope: "row" }, name),
-          h("td", {}, `${each.exercise}, ${placeWords[place]}`),
-          h("td", { class: "marks" }, marksOf(each)),
-          h(
-            "td",
-            {},
-            each.recording
-              ? h("a", { href: `/door/debriefing?recording=${each.recording}`, target: "_blank" }, t("Debriefing"))
-              : t("not recorded"),
-          ),
-          nextOf(name ?? ""),
+          "td",
+          {},
+          each.recording
+            ? h("a", { href: `/door/debriefing?recording=${each.recording}`, target: "_blank" }, t("Debriefing"))
+            : t("not recorded"),
         ),
+        nextOf(part.name),
       ),
+    ),
   );
   if (rows.length === 0) return h("p", { class: "quiet" }, t("Nobody sat in this class."));
   const heads = [t("Trainee"), t("Seat"), t("Marks"), t("Talk it over"), t("What next")];

@@ -14,10 +14,12 @@ import {
   type From,
   type Lessons,
   type Next,
+  type Part,
   type Seat,
   type TrainingClass,
   act,
   ask,
+  partWords,
   placeWords,
 } from "./ask";
 import { classMarks, lessonWords, marksOf } from "./class_marks";
@@ -307,9 +309,11 @@ class ClassPage {
     setText(tile.state, begun ? `${stateOf(each)}, ${marksOf(each)}` : stateOf(each));
     setText(tile.trouble, each.trouble);
     const seats = each.seats.map((seat) => ({ ...seat, doing: doing(each, seat) }));
-    this.fill(tile.seats, [seats.map(({ place, name, doing: it }) => [place, name, it]), this.mover], () =>
-      seats.map((seat) => this.seat(each, seat)),
-    );
+    const gone = each.parts.filter(({ until }) => until !== null);
+    this.fill(tile.seats, [seats.map(({ place, name, doing: it }) => [place, name, it]), gone, this.mover], () => [
+      ...seats.map((seat) => this.seat(each, seat)),
+      ...gone.map((part) => h("p", { class: "quiet relieved" }, relieved(part))),
+    ]);
   }
 
   private seat({ exercise }: ClassExercise, { place, name, here, doing: it }: Seat & { doing: string }): HTMLElement {
@@ -368,6 +372,9 @@ function waiting({ exercises }: TrainingClass): string[] {
     manned > 1 && t("{count} exercises wait for Start all", { count: manned }),
   ].filter((line) => line !== false);
 }
+
+/** "anna, bridge, to 4:00". */
+const relieved = (part: Part): string => [part.name, placeWords[part.place], partWords(part)].join(", ");
 
 /** "Load cell dead in 12 exercises". */
 const inAll = (what: string, count: number): string =>
