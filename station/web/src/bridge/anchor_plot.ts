@@ -14,9 +14,9 @@ export interface Plotted {
   time?: number; // s, exercise time, of its being let go
   /** m, as reported or set by hand, and when; the last one counts. */
   cables?: { time: number; cable: number | undefined }[];
-  /** "let go" was heard: where the hawse was then; not plotted yet. */
+  /** "let go" was heard as it was said: where the hawse was then; not plotted yet. */
   reported?: Place & { time: number };
-  /** Reports that are in this book, by sender, serial and sending time: they are told again when the link opens. */
+  /** Reports that are in this book, by time and number of the log: they are told again when the link opens. */
   entered?: string[];
 }
 
@@ -49,15 +49,15 @@ export class AnchorPlot {
     line.onReport((heard) => this.enter(heard));
   }
 
-  private enter({ report, time }: HeardReport): void {
-    const { side, code, origin } = report;
+  private enter({ report, time, number, fresh }: HeardReport): void {
+    const { side, code } = report;
     if (side !== 0 && side !== 1) return;
-    const name = `${origin.source}/${origin.serial}/${origin.sent_unix_ns}`; // a station's serials begin anew with it
+    const name = `${time}/${number}`;
     const { entered = [] } = this.of(side);
     if (entered.includes(name)) return;
     const change: Partial<Plotted> = { entered: [...entered, name].slice(-kEntered) };
     const hawse = this.hawse(side);
-    if (code === ReportCode.REPORT_LET_GO && hawse) change.reported = { ...hawse, time };
+    if (code === ReportCode.REPORT_LET_GO && hawse && fresh) change.reported = { ...hawse, time };
     const counts =
       code === ReportCode.REPORT_SHACKLES_IN_PIPE ||
       code === ReportCode.REPORT_SHACKLES_IN_WATER ||

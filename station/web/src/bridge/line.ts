@@ -1,9 +1,9 @@
-// The line between bridge and forecastle: what was said on it, in both directions. Without VHF no report is heard; the
-// server lets through what hand signals and the bell tell.
+// The line between bridge and forecastle: what was said on it, in both directions. Which report is heard, and when it
+// was, the exercise's log says: a Report has no time, and a page that opens late hears those of before all at once.
 
 import { begins, leave } from "../kit/branch";
 import { orderState, wasSaidAgain, written } from "../kit/orders";
-import { besideSide, eventText, reportText } from "../kit/words";
+import { besideSide, eventText, reportText, spoken } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { type BridgeOrder, BridgeOrderState, EventSeverity, type Report, type SeatEvent } from "../wire/generated";
 
@@ -21,11 +21,17 @@ export interface Said {
 export interface HeardReport {
   report: Report;
   time: number; // s, exercise time
-  text: string;
-  /** A restore has left it. */
-  left: boolean;
+  /** Of that run's log. */
+  number: number;
   /** Of now: not told again to a page that came late. */
   fresh: boolean;
+}
+
+/** A line of the log that tells of one. */
+interface ReportLine extends SeatEvent {
+  left: boolean;
+  /** What it means is known, and was told. */
+  told: boolean;
 }
 type Notice = SeatEvent & { left: boolean };
 
@@ -40,7 +46,8 @@ const isNotice = (event: SeatEvent): boolean =>
     (event.severity !== EventSeverity.EVENT_INFO && !/^(order|report|levers)\./.test(event.code)));
 
 export class Line {
-  private reports: HeardReport[] = [];
+  private reports: ReportLine[] = [];
+  private readonly meant = new Map<string, Report>(); // by side and words
   private notices: Notice[] = [];
   private worked: boolean | undefined; // as it was told last
   private run: number | undefined;
@@ -80,7 +87,7 @@ export class Line {
     return this.link.hello !== undefined && this.link.latest("BridgeView") !== undefined;
   }
 
-  /** Calls back for each report as it is heard; after the link opened, for those before it. */
+  /** Calls back for each report once it is heard, and what it means; after the link opened, for those before it. */
   onReport(listener: (heard: HeardReport) => void): void {
     this.reportListeners.add(listener);
   }
@@ -106,7 +113,12 @@ export class Line {
         left: false,
         order,
       })),
-      ...this.reports.map(({ time, text, left }): Said => ({ kind: "report", time, text, left })),
+      ...this.reports.map(({ side, time, text, left }): Said => ({
+        kind: "report",
+        time,
+        text: besideSide(side, spoken(text)),
+        left,
+      })),
       ...this.notices.map((event): Said => ({
         kind: "notice",
         time: event.time,
@@ -117,30 +129,32 @@ export class Line {
     return said.reverse().sort((a, b) => Number(a.left) - Number(b.left) || b.time - a.time);
   }
 
+  /** What words mean: the log has no more than the words. */
   private hear(report: Report): void {
-    if (!this.works()) return;
-    const now = this.link.latest("ExerciseStatus")?.time ?? 0;
-    const time = this.link.latest("BridgeView")?.time ?? now;
-    const heard = {
-      report,
-      time,
-      text: besideSide(report.side, reportText(report)),
-      left: false,
-      fresh: time > now - kFresh,
-    };
-    this.reports = [...this.reports, heard].slice(-kReports);
-    this.tell();
-    for (const listener of this.reportListeners) listener(heard);
+    this.meant.set(`${report.side} ${reportText(report)}`, report);
+    for (const line of this.reports) this.pair(line);
+  }
+
+  private pair(line: ReportLine): void {
+    const report = this.meant.get(`${line.side} ${spoken(line.text)}`);
+    if (line.told || !report) return;
+    line.told = true;
+    const { time, number } = line;
+    const fresh = time > (this.link.latest("ExerciseStatus")?.time ?? 0) - kFresh;
+    for (const listener of this.reportListeners) listener({ report, time, number, fresh });
   }
 
   private notice(event: SeatEvent): void {
+    const known = (log: readonly SeatEvent[]): boolean =>
+      log.some((n) => n.number === event.number && n.time === event.time && n.code === event.code);
     if (begins(event)) {
       leave(this.reports, event);
       leave(this.notices, event);
-    } else if (
-      isNotice(event) &&
-      !this.notices.some((n) => n.number === event.number && n.time === event.time && n.code === event.code)
-    )
+    } else if (event.code === "report.made" && event.bridge && !known(this.reports)) {
+      const line = { ...event, left: false, told: false };
+      this.reports = [...this.reports, line].slice(-kReports);
+      this.pair(line);
+    } else if (isNotice(event) && !known(this.notices))
       this.notices = [...this.notices, { ...event, left: false }].slice(-kReports);
     else return;
     this.tell();

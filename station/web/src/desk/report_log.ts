@@ -3,7 +3,7 @@
 
 import { begins } from "../kit/branch";
 import { cableSpeeds, celsius, figure, loads, shackles } from "../kit/units";
-import { besideSide, eventLine, reportText, saidOf } from "../kit/words";
+import { besideSide, eventLine, reportText, saidOf, spoken } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { type AnchorState, type ChainState, type Report, ReportCode, type WindlassLoad } from "../wire/generated";
 import type { EventStore, Logged } from "./events";
@@ -28,9 +28,6 @@ const kKept = 200;
 const kOfThen = 1.5; // s between event and sample, at most: of the past there is a sample a second
 
 export const isReport = ({ code }: { code: string }): boolean => code === "report.made" || code === "report.not_heard";
-
-/** The report's own words, of the log's "reported: she is brought up, to order 4". */
-const spoken = (text: string): string => text.replace(/^.*?reported: /s, "").replace(/, to order \d+$/, "");
 
 export class ReportLog {
   /** Of the branch that runs, as they came. */

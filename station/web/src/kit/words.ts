@@ -217,6 +217,9 @@ export function eventText({ code, text: given }: { code: string; text: string })
 export const besideSide = (side: number, english: string, said = english): string =>
   withSide(side, english) === english ? said : `${sideWord(side)}: ${said}`;
 
+/** A report's own words, of the log's "reported: she is brought up, to order 4". */
+export const spoken = (text: string): string => text.replace(/^.*?reported: /s, "").replace(/, to order \d+$/, "");
+
 /** An event's sentence so. */
 export const eventLine = (event: { code: string; text: string; side: number }): string =>
   besideSide(event.side, event.text, eventText(event));
