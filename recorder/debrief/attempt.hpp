@@ -33,7 +33,12 @@ struct Truth {
     double cable_out = 0; ///< m
     double lead_clock = 0;
     Stay stay = STAY_UP_AND_DOWN;
-    double tension = 0; ///< N, at the lip
+    double tension = 0;                        ///< N, at the lip
+    std::optional<AnchorPhase> anchor = {};    ///< nothing: none was recorded yet
+    double brake = 0;                          ///< 0..1, where the hand-wheel was
+    double brake_load = 0, brake_capacity = 0; ///< N
+    double cable_speed = 0;                    ///< m/s, paying out positive
+    bool stopper_closed = false, power = true; ///< power: the motor had it
 };
 
 /// One windlass with its cable.

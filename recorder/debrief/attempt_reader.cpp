@@ -133,7 +133,13 @@ void AttemptReader::add(const WindlassLoad& load) {
     side.brake_rating = load.brake_rating();
     side.cable_out = load.cable_out();
     side.brake_energy = load.brake_energy();
-    of.tension = load.hawse_tension();
+    of.now.tension = load.hawse_tension();
+    of.now.brake = load.brake_position();
+    of.now.brake_load = load.brake_load();
+    of.now.brake_capacity = load.brake_capacity();
+    of.now.cable_speed = load.cable_speed();
+    of.now.stopper_closed = load.stopper_closed();
+    of.now.power = load.power();
     if (!of.first) of.first = load;
     side.worked = side.worked || std::abs(load.cable_out() - of.first->cable_out()) > kWorkedCable ||
                   load.brake_position() != of.first->brake_position() ||
@@ -146,17 +152,19 @@ void AttemptReader::add(const ChainState& chain) {
     const auto index = static_cast<std::size_t>(chain.side());
     OfSide& of = sides_[index];
     if (chain.time() < of.chain + kTruths || !in_order(chain.time(), of.chain)) return;
-    attempt_.sides[index].truths.push_back({.time = chain.time(),
-                                            .cable_out = chain.cable_out(),
-                                            .lead_clock = chain.lead_clock(),
-                                            .stay = chain.stay(),
-                                            .tension = of.tension});
+    of.now.time = chain.time();
+    of.now.cable_out = chain.cable_out();
+    of.now.lead_clock = chain.lead_clock();
+    of.now.stay = chain.stay();
+    attempt_.sides[index].truths.push_back(of.now);
 }
 
 void AttemptReader::add(const AnchorState& anchor) {
     if (!side_exists(anchor.side())) return;
     const auto index = static_cast<std::size_t>(anchor.side());
-    if (!in_order(anchor.time(), sides_[index].anchor) || !on_the_ground(anchor.phase())) return;
+    if (!in_order(anchor.time(), sides_[index].anchor)) return;
+    sides_[index].now.anchor = anchor.phase();
+    if (!on_the_ground(anchor.phase())) return;
     Side& side = attempt_.sides[index];
     side.dragged = std::max(side.dragged, anchor.dragged());
     const Vec3& now = anchor.position();

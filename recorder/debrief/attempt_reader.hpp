@@ -57,7 +57,7 @@ private:
     Attempt& attempt_;
     struct OfSide {
         double load = -1e9, chain = -1e9, anchor = -1e9; ///< time of the last sample
-        double tension = 0;
+        Truth now;                                       ///< as told last
         std::optional<WindlassLoad> first;
         std::optional<WindlassCommand> levers;
         Stroke stroke;

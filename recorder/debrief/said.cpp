@@ -26,16 +26,58 @@ void tell_judged(const Attempt& attempt, const SaidReport& said, ReportSaid& row
     }
 }
 
-/// How the cable was, beside a report that tells of it and is not judged.
-void tell_cable(const Attempt& attempt, const SaidReport& said, ReportSaid& row) {
+/// Of which side a report is; nothing: of neither, or of one that the report leaves open where two were
+/// worked.
+const Side* side_of(const Attempt& attempt, const Report& report) {
+    const auto& [port, starboard] = attempt.sides;
+    if (report.side() == SIDE_PORT) return &port;
+    if (report.side() == SIDE_STARBOARD) return &starboard;
+    return port.worked == starboard.worked ? nullptr : port.worked ? &port : &starboard;
+}
+
+/// How the tackle was, where that is the whole of what the report tells.
+std::string tackle_words(ReportCode code, const Truth& truth) {
+    switch (code) {
+    case REPORT_LET_GO:
+    case REPORT_ON_THE_BOTTOM:
+    case REPORT_BROUGHT_UP:
+    case REPORT_ANCHOR_AWEIGH:
+    case REPORT_CLEAR_ANCHOR:
+    case REPORT_FOUL_ANCHOR:
+    case REPORT_ANCHOR_HOME:
+    case REPORT_DRAGGING:
+        return truth.anchor ? "anchor " + station::words(*truth.anchor) : "";
+    case REPORT_SHORT_STAY:
+    case REPORT_UP_AND_DOWN:
+        return "lead " + station::lead(truth.lead_clock) + ", " + station::words(truth.stay);
+    case REPORT_SECURED:
+        return fmt::format("brake {} on, stopper {}", station::percent(truth.brake),
+                           truth.stopper_closed ? "closed" : "open");
+    case REPORT_NO_POWER:
+        return truth.power ? "motor had power" : "motor had none";
+    case REPORT_DOES_NOT_RUN:
+        return "cable " + station::cable_speed(truth.cable_speed);
+    case REPORT_BRAKE_DOES_NOT_HOLD:
+        return fmt::format("brake bore {}, of {} that it could", station::load(truth.brake_load),
+                           station::load(truth.brake_capacity));
+    default:
+        return "";
+    }
+}
+
+/// How cable and tackle were, beside a report that tells of them and is not judged.
+void tell_tackle(const Attempt& attempt, const SaidReport& said, ReportSaid& row) {
     const Report& report = said.report;
-    if (report.side() != SIDE_PORT && report.side() != SIDE_STARBOARD) return;
-    const Truth* truth = attempt.sides[static_cast<std::size_t>(report.side())].truth_at(said.time);
+    const Side* side = side_of(attempt, report);
+    const Truth* truth = side != nullptr ? side->truth_at(said.time) : nullptr;
     if (truth == nullptr) return;
+    row.truth = tackle_words(report.code(), *truth);
     const auto add = [&](const std::string& text) { row.truth += (row.truth.empty() ? "" : ", ") + text; };
     const bool counts_shackles = report.code() < words::kReportCode.size() &&
                                  words::kReportCode[report.code()].mark_at != words::MarkAt::none;
-    if (counts_shackles) add(fmt::format("{:.1f} m outboard of the lip", truth->cable_out));
+    if (counts_shackles)
+        add(fmt::format("{:.1f} m ({}) outboard of the lip", truth->cable_out,
+                        station::in_shackles(truth->cable_out)));
     if (report.lead() != 0) add("lead " + station::lead(truth->lead_clock));
     if (report.stay() != STAY_NOT_GIVEN) add(station::words(truth->stay));
     if (report.growing() != GROWING_NOT_GIVEN || report.weight() != WEIGHT_NOT_GIVEN)
@@ -137,7 +179,7 @@ std::vector<ReportSaid> reports_said(const Attempt& attempt) {
                        .delay = {},
                        .milli = {}};
         tell_judged(attempt, said, row);
-        if (!row.milli) tell_cable(attempt, said, row);
+        if (!row.milli) tell_tackle(attempt, said, row);
         rows.push_back(std::move(row));
     }
     return rows;

@@ -26,7 +26,7 @@ struct ReportSaid {
     std::string_view code; ///< as wire names have it
     double value = 0;      ///< as given
     int side = -1;
-    std::string truth;                ///< what was so, in words: as judged, else as the cable was then
+    std::string truth;                ///< what was so, in words: as judged, else as the tackle was then
     std::optional<double> true_value; ///< as judged, in the unit of value
     std::optional<double> delay; ///< as judged: s since what it tells came to be so; negative: told before
     std::optional<std::uint32_t> milli; ///< that it has earned, 0..1000, the least where several judge it;

@@ -506,8 +506,8 @@ TEST(DebriefTest, ReportThatNobodyJudgesHasTheCableBesideItAndNoVerdict) {
     const Folder folder;
     const auto reports = reports_said(attempt_of(folder, {.assessed = false}));
     ASSERT_THAT(reports, SizeIs(2));
-    EXPECT_EQ(reports[0].truth, "");
-    EXPECT_EQ(reports[1].truth, "59.8 m outboard of the lip"); // 5 m and 27.4 s of 2 m/s
+    EXPECT_EQ(reports[0].truth, "anchor on the bottom");
+    EXPECT_EQ(reports[1].truth, "59.8 m (2.2 shackles) outboard of the lip"); // 5 m and 27.4 s of 2 m/s
     EXPECT_FALSE(reports[1].true_value || reports[1].milli || reports[1].delay);
 }
 

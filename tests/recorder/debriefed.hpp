@@ -144,6 +144,12 @@ inline void write_run(recorder::Tape& tape, const DebriefedRun& of, double after
         chain.nodes({lip, anchor});
         chain.tension({static_cast<float>(40'000 + 100 * time)});
         tape.write(sample(wire::topics::chain_state, chain, zero + time, ++number));
+        AnchorState lies;
+        lies.side(SIDE_PORT);
+        lies.time(time);
+        lies.phase(time < of.let_go ? ANCHOR_HOUSED : time < 20 ? ANCHOR_HANGING : ANCHOR_ON_BOTTOM);
+        lies.position().z(time < 20 ? 0 : -20);
+        tape.write(sample(wire::topics::anchor_state, lies, zero + time, ++number));
         ShipState ship;
         ship.time(time);
         ship.position().y(-time);
