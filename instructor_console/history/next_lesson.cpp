@@ -55,8 +55,9 @@ std::string missing(Database& database, const Done& of) {
 }
 
 std::string why_again(Database& database, const Done& last) {
-    if (last.in_part) return "another had the seat before or after; now alone, from beginning to end";
-    if (last.outcome == "achieved") return "done for practice; now as a test, without hints";
+    if (last.outcome == "achieved")
+        return last.in_part ? "another had the seat before or after; now alone, from beginning to end"
+                            : "done for practice; now as a test, without hints";
     const std::string objectives = missing(database, last);
     return objectives.empty() ? "it was not achieved" : objectives;
 }
@@ -76,8 +77,7 @@ std::optional<NextLesson> next_lesson(Database& database, const std::string& pse
         const Done& last = all.back();
         const auto again = std::ranges::find(offered, last.exercise, &Offered::exercise);
         if (again != offered.end() && open(*again))
-            return {{*again, why_again(database, last), last.recording,
-                     last.outcome != "achieved" && !last.in_part}};
+            return {{*again, why_again(database, last), last.recording, last.outcome != "achieved"}};
     }
     const auto first = std::ranges::find_if(offered, open);
     if (first == offered.end()) return std::nullopt;

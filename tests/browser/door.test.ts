@@ -258,9 +258,12 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   );
   await on(owner, "End the class").focus();
   await owner.keyboard.down("Enter");
-  const row = owner.locator(".class-marks tbody tr", { hasText: "carla" });
+  const row = owner.locator(".class-marks tbody tr", { hasText: "carla" }).first();
   await row.waitFor();
   await owner.keyboard.up("Enter");
+  const all = await owner.locator(".class-marks tbody tr").allTextContents();
+  const whose = (name: string, part: RegExp) => all.some((text) => text.startsWith(name) && part.test(text));
+  assert.ok(whose("carla", /bridge, from 0:/) && whose("ben", /bridge, to 0:/), `who was moved: ${all.join()}`);
   await eventually("marked", async () => /points, not/.test(await row.locator(".marks").textContent()));
   const over = tablet.locator(".own-marks .class-over"); // her lesson was still going: she has her marks all the same
   await over.waitFor();
@@ -307,11 +310,16 @@ test("with the class its seats end, and each seat's marks and debriefing are the
     return states.length === 1 && states[0].startsWith("paused");
   });
   await look(owner, "class_again_open");
+  code = (await owner.locator(".code-panel .letters").textContent()).replace(/ /g, "");
+  const again = await openPage(`${door.url}?code=${code}`, tls);
+  await again.locator("select[name=listed]").press("c"); // carla, as a hand chooses it
+  await on(again, "Take a seat").click();
+  await again.getByText(/^It goes on at \d+:\d\d, for practice/).waitFor(); // by itself, with the lesson's briefing
+  await look(again, "goes_on");
+  await closePage(again);
   await on(owner, "End the class").focus();
   await owner.keyboard.down("Enter");
-  await eventually("it is over", async () =>
-    (await owner.locator("main").textContent()).includes("Nobody sat in this class"),
-  );
+  await owner.getByRole("button", { name: "again, over" }).waitFor();
   await owner.keyboard.up("Enter");
   await owner.getByRole("button", { name: /^(?!again).*, over$/ }).click();
   await row.waitFor();

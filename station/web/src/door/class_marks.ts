@@ -97,7 +97,7 @@ export function classMarks(it: TrainingClass, title: string, open?: Open): HTMLE
   const list = h("p", { class: "row next" });
   const nextOf = (name: string): HTMLElement => {
     const cell = h("td", { class: "next" });
-    cells.set(name, cell);
+    if (!cells.has(name)) cells.set(name, cell); // who had two seats is told once
     return cell;
   };
   const rows = it.exercises.flatMap((each) =>

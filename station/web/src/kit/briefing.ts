@@ -1,6 +1,6 @@
 // What the trainees of a lesson read before it begins. It comes in pieces, as events; the dialog opens by itself while
-// the exercise waits at its start, and later when it is asked for; its figures are in the units of the gauges. That the
-// lesson is over stands under the top bar.
+// the exercise waits at its start, or at a moment from which it goes on, and later when it is asked for; its figures are
+// in the units of the gauges. That the lesson is over stands under the top bar.
 
 import type { Connection, Seat } from "../wire/connection";
 import { RunState } from "../wire/generated";
@@ -8,11 +8,11 @@ import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import { type OwnSeat, onInstruction } from "./instructions";
 import type { OwnMarks } from "./own_marks";
-import { measures } from "./units";
+import { clock, measures } from "./units";
 import { capital } from "./words";
 import { t, translated } from "./language";
 
-const kAtItsStart = 1; // s of exercise time, up to which a paused exercise has not begun
+const kAtItsStart = 1; // s of exercise time from there, up to which a paused exercise has not begun, or not gone on
 
 const seats: Record<Seat, string> = {
   forecastle: t("Your seat: the forecastle. You have the windlass, repeat the bridge's orders back and report."),
@@ -37,6 +37,7 @@ export class Briefing {
     forecastle: h("p", { class: "text own", hidden: true }),
     bridge: h("p", { class: "text own", hidden: true }),
   };
+  private readonly goesOn = h("p", { class: "text goes-on", hidden: true });
   private readonly seat = h("p", {});
   private readonly over = h("p", { class: "over", role: "status" });
   private pieces: string[] = [];
@@ -44,6 +45,7 @@ export class Briefing {
   private shownIn: number | undefined; // the run in which it has opened by itself
   private byItself = false;
   private why = ""; // the lesson is over
+  private from: number | undefined; // s of exercise time, at which it was taken up; undefined: it began at its start
 
   constructor(
     private readonly link: Connection,
@@ -58,6 +60,7 @@ export class Briefing {
         this.title,
         h("button", { class: "plain", onclick: () => this.element.close() }, t("Close")),
       ),
+      this.goesOn,
       this.text,
       this.own.forecastle,
       this.own.bridge,
@@ -70,8 +73,9 @@ export class Briefing {
       { class: "plain", type: "button", hidden: true, onclick: () => this.open() },
       t("Briefing"),
     );
-    link.on("SeatEvent", ({ code, value, text }) => {
+    link.on("SeatEvent", ({ code, value, text, time }) => {
       if (code === "exercise.ready" || code === "exercise.restored" || code === "exercise.taken_up") {
+        this.from = code === "exercise.restored" ? time : undefined;
         this.take([]);
         this.end("");
       } else if (code === "lesson.over") this.end(text);
@@ -141,8 +145,15 @@ export class Briefing {
     setText(this.seat, seats[hello.seat]);
     const over = status.state === RunState.RUN_FINISHED;
     setText(this.over, over ? t("The exercise is over.") : "");
+    this.goesOn.hidden = this.from === undefined;
+    const words = t(
+      "It goes on at {time}, for practice: levers, cable and marks are as they stood then. What the bridge had ordered holds.",
+      { time: clock(this.from ?? 0) },
+    );
+    setText(this.goesOn, words);
     const waits =
-      status.state === RunState.RUN_READY || (status.state === RunState.RUN_PAUSED && status.time < kAtItsStart);
+      status.state === RunState.RUN_READY ||
+      (status.state === RunState.RUN_PAUSED && status.time < (this.from ?? 0) + kAtItsStart);
     if (waits && this.shownIn !== status.run && !staff.has(hello.seat)) {
       this.shownIn = status.run;
       this.open();
