@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 
 namespace windlass::debrief {
 
@@ -111,6 +112,12 @@ std::string reckoning(const PageContext& page, const Judgement& judgement) {
     return text + "</p>\n";
 }
 
+/// A reason without what it cost, in the lesson's weights: the column beside it has that in points of 100.
+std::string without_weights(const std::string& reason) {
+    static const std::regex kCost(": [0-9.]+ of [0-9]+ points lost");
+    return std::regex_replace(reason, kCost, "");
+}
+
 std::string deductions(const PageContext& page, const Judgement& judgement) {
     std::vector<std::string> columns{"time", "criterion", "points lost", "reason"};
     if (page.options.remedies) columns.emplace_back("what would have kept it");
@@ -119,14 +126,13 @@ std::string deductions(const PageContext& page, const Judgement& judgement) {
         rows.push_back({html_cell(mark.time > 0 ? time_link(page, mark.time) : ""),
                         text_cell(title_of(*mark.criterion)),
                         figure_cell(fmt::format("{:.1f} of {:.1f}", mark.lost, mark.points)),
-                        text_cell(mark.criterion->reason().to_string())});
+                        text_cell(without_weights(mark.criterion->reason().to_string()))});
         if (page.options.remedies)
             rows.back().push_back(html_cell(remedy(page, mark.criterion->code().to_string())));
     }
     if (rows.empty()) return "<h3>Deductions</h3>\n<p>No points were lost.</p>\n";
     const std::string& what_if = page.options.links.what_if;
-    return "<h3>Deductions</h3>\n" +
-           table("Points lost of 100, by when it first went wrong; reasons count in weights", columns, rows) +
+    return "<h3>Deductions</h3>\n" + table("Points lost of 100, by when it first went wrong", columns, rows) +
            reckoning(page, judgement) +
            (what_if.empty() || page.options.remedies || !page.attempt.assessment->finished()
                 ? ""

@@ -80,7 +80,7 @@ constexpr std::array kQuantities{
              WINDLASS_OF(t.chain.cable_out / physics::kShackleLength)},
     Quantity{"cable_speed", "m/s", "cable's speed, paying out positive", WINDLASS_OF(t.windlass.cable_speed)},
     Quantity{"cable_on_bottom", "m", "cable that lies on the seabed", WINDLASS_OF(t.chain.on_bottom)},
-    Quantity{"piled", "", "cable on the bottom over the distance from the bow to the anchor",
+    Quantity{"piled", "m", "cable on the bottom for each metre from the bow to the anchor",
              WINDLASS_OF(piled(t))},
     Quantity{"lead_clock", "h", "where the cable leads, 12 ahead", WINDLASS_OF(t.chain.lead_clock), 12},
     Quantity{"top_angle_deg", "deg", "cable below the horizontal at the lip",
