@@ -1,8 +1,10 @@
 #include "server/assess/bridge.hpp"
 
 #include "server/assess/marks.hpp"
+#include "server/assess/quantities.hpp"
 #include "server/exercise/talk/bridge_orders.hpp"
 #include "server/exercise/talk/talk.hpp"
+#include "server/physics/base/units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -255,9 +257,17 @@ private:
             if (lesson_.patience <= 0 || !reported_done(lesson_.orders[k], state_))
                 return static_cast<int>(k);
             course.skipped = true;
+            course.was_so = is_out(lesson_.orders[k].given);
             course.repeated = course.answered = course.done = state_.tick;
         }
         return -1;
+    }
+
+    /// Whether as much cable is out as an order to pay out asks for.
+    bool is_out(const BridgeOrderGiven& given) const {
+        const exercise::TackleView* tackle = tackle_of(seen_, given.side);
+        return tackle != nullptr &&
+               tackle->chain.cable_out >= (given.value - kThereShort) * physics::kShackleLength;
     }
 
     /// Whether the reports that a condition goes by have come since the last order: one that came before was

@@ -103,8 +103,8 @@ void look_at_state(const Criterion& criterion, Mark& mark, const Look& look) {
     if (criterion.graded) { // the sooner, the more
         const std::int64_t zero = ticks(criterion.zero, look);
         mark.milli = share_left(since, after, zero);
+        keep_missing(mark, so ? MissingPart{} : look.missing(criterion.that));
         if (!so && since < zero) return;
-        if (!so) keep_missing(mark, look.missing(criterion.that));
         return decide(mark, so ? mark.milli : 0, look.tick());
     }
     if (since < after) return;
@@ -137,7 +137,13 @@ void look_at_orders(const Criterion& criterion, Mark& mark, std::int64_t tick, b
     int sum = 0, given = 0;
     for (const int order : criterion.orders) {
         const OrderCourse& course = state.orders[static_cast<std::size_t>(order)];
-        // What the bridge did not order any more, or took back, is nobody's to carry out.
+        // What the bridge did not order any more, or took back, is nobody's to carry out; what it left out
+        // because of a report that was not so, he has not carried out.
+        if (left_out_falsely(course)) {
+            ++given;
+            if (mark.began < 0) mark.began = course.done;
+            if (mark.worst_tick < 0) mark.worst_tick = tick, mark.wrong = order + 1;
+        }
         if (course.given < 0 || course.challenged >= 0) continue;
         ++given;
         if (mark.began < 0) mark.began = course.given;
@@ -218,12 +224,17 @@ std::int64_t slot_bit(int slot, Slot what) {
     return std::int64_t{1} << (slot + kSlots * static_cast<int>(what));
 }
 
-/// What reports that belong to orders have earned, of those orders that were given.
+/// What reports that belong to orders have earned, of those orders that were given, or left out because of
+/// a report that was not so.
 void sum_slots(const Criterion& criterion, Mark& mark, const State& state) {
     int given = 0, sum = 0;
     for (std::size_t k = 0; k < criterion.orders.size(); ++k) {
-        if (state.orders[static_cast<std::size_t>(criterion.orders[k])].given < 0) continue;
+        const OrderCourse& course = state.orders[static_cast<std::size_t>(criterion.orders[k])];
+        if (left_out_falsely(course)) ++given;
+        if (course.given < 0) continue;
         ++given;
+        if (mark.since >= 0) mark.slots |= slot_bit(static_cast<int>(k), Slot::wrong);
+        mark.since = -1;
         const auto is = [&](Slot what) { return (mark.slots & slot_bit(static_cast<int>(k), what)) != 0; };
         if (is(Slot::answered) && !is(Slot::wrong)) sum += is(Slot::half) ? 500 : 1000;
     }
@@ -235,18 +246,21 @@ void sum_slots(const Criterion& criterion, Mark& mark, const State& state) {
 }
 
 /// A figure that belongs to the order that was given last: right where and when that was carried out.
-/// Another one that is wrong takes it away again, however often it is made.
+/// Another one that is wrong takes it away again, however often it is made; a wrong one before the first of
+/// these orders takes that of the first.
 void take_for_order(const Criterion& criterion, Mark& mark, int earned, double reached, const State& state,
                     const Lesson& lesson) {
     const int slot = slot_of(criterion, state);
     if (earned == 0) ++mark.wrong;
-    if (slot < 0) return;
+    if (slot < 0) {
+        if (earned == 0) mark.since = state.tick;
+        return;
+    }
     const auto& given =
         lesson.orders[static_cast<std::size_t>(criterion.orders[static_cast<std::size_t>(slot)])].given;
-    constexpr double kThere = 0.75; // shackles short of the order, that are still its place
     const bool there = given.value <= 0 || given.code == exercise::BridgeOrderCode::heave_to
-                           ? given.value <= 0 || reached <= given.value + kThere
-                           : reached >= given.value - kThere;
+                           ? given.value <= 0 || reached <= given.value + kThereShort
+                           : reached >= given.value - kThereShort;
     if (earned == 0)
         mark.slots |= slot_bit(slot, Slot::wrong);
     else if (there && (mark.slots & slot_bit(slot, Slot::answered)) == 0)

@@ -176,18 +176,16 @@ std::string found_words(const Lesson& lesson, const Condition& condition, int pa
     return "not for long enough";
 }
 
-/// The same behind the words of the condition itself, which name what one figure is of: "it was 3.6
-/// shackles".
-std::string but_found(const Lesson& lesson, const Condition& condition, int part, double value) {
-    const std::size_t parts = condition.bounds.size() + (condition.phases != 0 ? 1 : 0) +
-                              condition.signs.size() + condition.either.size() + condition.neither.size();
-    const bool one_figure_or_sign = !condition.bounds.empty() || !condition.signs.empty();
-    if (parts != 1 || condition.hold > 0 || !one_figure_or_sign)
-        return "; but " + found_words(lesson, condition, part, value);
-    if (!condition.signs.empty()) return "; it was not";
-    const std::string unit = quantity_at(condition.bounds.front().quantity).unit;
-    if (unit == "yes") return value > 0.5 ? "; it was" : "; it was not";
-    return "; it was " + figure_text(value, unit);
+/// Of a condition that did not hold first what was not so, and then what was wanted: a list of wants may be
+/// cut. part: -1: nobody looked, since the lesson was over.
+std::string missed_words(const Lesson& lesson, const Condition& condition, int part, double value) {
+    const std::string wanted = condition_words(lesson, condition);
+    if (part < 0) return "it was not so; wanted: " + wanted;
+    const std::size_t others = condition.bounds.size() + (condition.phases != 0 ? 1 : 0) +
+                               condition.either.size() + condition.neither.size();
+    const bool is_one_sign = condition.signs.size() == 1 && others == 0 && condition.hold <= 0;
+    const std::string found = found_words(lesson, condition, part, value);
+    return is_one_sign ? found : found + "; wanted: " + wanted; // the sign is all that was wanted
 }
 
 std::string lost(const Criterion& criterion, const Mark& mark) {
@@ -208,40 +206,45 @@ std::string limit_words(const Criterion& criterion, const Mark& mark, int rate) 
         text += "; beyond it for " + seconds(mark.outside, rate) + " in all, from " + clock(mark.since, rate);
     if (mark.wrong > 0) {
         const bool above = mark.worst > criterion.fail_above;
-        text += std::string("; nothing is left ") + (above ? "above " : "below ") +
-                figure_text(above ? criterion.fail_above : criterion.fail_below, unit);
+        // Named again: pages show a speed in the unit of whose it is, and look for that in the same clause.
+        text += "; " + short_name(quantity) + (above ? " above " : " below ") +
+                figure_text(above ? criterion.fail_above : criterion.fail_below, unit) + " leaves nothing";
     }
     return text;
 }
 
 std::string sequence_words(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
     if (mark.began < 0) return "";
-    const std::string steps =
-        std::to_string(mark.step) + " of " + std::to_string(criterion.steps.size()) + " steps";
+    const std::size_t all = criterion.steps.size();
+    const std::string steps = std::to_string(mark.step) + " of " + std::to_string(all) + " steps";
     const auto step = [&](int k) {
         const auto place = static_cast<std::size_t>(k);
-        return place < criterion.steps.size() ? condition_words(lesson, criterion.steps[place]) : "";
+        return place < all ? condition_words(lesson, criterion.steps[place]) : "";
     };
     if (mark.wrong > 0)
         return clock(mark.worst_tick, rate) + " step " + std::to_string(mark.wrong) + " (" +
                step(mark.wrong - 1) + ") before step " + std::to_string(mark.step + 1) + " (" +
                step(mark.step) + ")";
     if (mark.decided < 0) return steps;
-    std::string text =
-        clock(mark.decided, rate) + " " + steps + " in " + seconds(mark.decided - mark.began, rate);
+    const std::int64_t took = mark.decided - mark.began;
+    std::string text = clock(mark.decided, rate) + " " +
+                       (all > 1          ? steps // one step has no course that could be told
+                        : mark.step == 1 ? "it was so: " + step(0)
+                                         : "it was not so");
+    if (took > 0) text += " in " + seconds(took, rate);
     if (const std::string next = step(mark.step); !next.empty()) {
         text += "; wanted: " + next;
-        if (criterion.within < kNoLimit) text += ", all within " + number(criterion.within) + " s";
+        if (criterion.within < kNoLimit)
+            text += (all > 1 ? ", all within " : ", within ") + number(criterion.within) + " s";
     }
     return text;
 }
 
 std::string state_words(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
     if (mark.decided < 0) return "";
-    const std::string wanted =
-        clock(mark.decided, rate) + " wanted: " + condition_words(lesson, criterion.that);
-    if (mark.milli > 0) return wanted + "; it was so";
-    return wanted + but_found(lesson, criterion.that, mark.missing, mark.worst);
+    const std::string at = clock(mark.decided, rate) + " ";
+    if (mark.milli > 0) return at + "wanted: " + condition_words(lesson, criterion.that) + "; it was so";
+    return at + missed_words(lesson, criterion.that, mark.missing, mark.worst);
 }
 
 /// What was wrong with how one order went; empty: nothing. over: the lesson is, and nothing more can come.
@@ -284,6 +287,10 @@ std::string order_words(const Lesson& lesson, const State& state, const Criterio
     for (const int order : criterion.orders) {
         const auto k = static_cast<std::size_t>(order);
         const OrderCourse& course = state.orders[k];
+        if (left_out_falsely(course))
+            join(text, ". ",
+                 clock(course.done, rate) + " " + order_of(lesson, k) +
+                     " not given, since more cable was reported than was out");
         if (course.given < 0 || course.challenged >= 0) continue;
         ++given;
         const std::string faults = order_faults(lesson.orders[k], course, over, rate);
@@ -331,12 +338,22 @@ std::string each_report(const State& state, std::size_t criterion, int rate, con
     return text;
 }
 
+/// What was so when a report came, with what came to be so after it.
+std::string truth_by_now(const Lesson& lesson, const State& state, const JudgedReport& report, int rate) {
+    const Criterion& criterion = lesson.criteria[static_cast<std::size_t>(report.criterion)];
+    if (criterion.truth != ReportTruth::moment || report.so >= 0) return truth_words(lesson, report, rate);
+    const std::int64_t so = state.moments[static_cast<std::size_t>(criterion.truth_moment)].first;
+    if (so > report.tick) return "and it was not so until " + clock(so, rate);
+    return state.ending != Ending::none && so < 0 ? "and it never was so" : truth_words(lesson, report, rate);
+}
+
 std::string report_words(const Lesson& lesson, const State& state, std::size_t k, int rate) {
     const Criterion& criterion = lesson.criteria[k];
     const Mark& mark = state.marks[k];
     const std::string code = spaced(words::kReportNames.at(static_cast<std::size_t>(criterion.report)));
     const std::string reports = each_report(state, k, rate, [&](const JudgedReport& report) {
-        return "\"" + said_words(criterion, report) + "\" reported, " + truth_words(lesson, report, rate);
+        return "\"" + said_words(criterion, report) + "\" reported, " +
+               truth_by_now(lesson, state, report, rate);
     });
     if (criterion.truth == ReportTruth::moment) {
         if (mark.began < 0) return reports;
@@ -375,10 +392,11 @@ std::string report_words(const Lesson& lesson, const State& state, std::size_t k
 
 std::string final_words(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
     if (mark.decided < 0) return "";
-    std::string text =
-        clock(mark.decided, rate) + " wanted at the end: " + condition_words(lesson, criterion.that);
-    text += mark.milli > 0 ? "; it was so" : but_found(lesson, criterion.that, mark.missing, mark.worst);
-    return text + (mark.held || mark.milli > 0 ? ", since " + clock(mark.since, rate) : ", and never was so");
+    const std::string at = clock(mark.decided, rate) + " ", since = " since " + clock(mark.since, rate);
+    if (mark.milli > 0)
+        return at + "wanted at the end: " + condition_words(lesson, criterion.that) + "; it was so," + since;
+    return at + "at the end " + (mark.held ? "not so" + since : "it never was so") + ": " +
+           missed_words(lesson, criterion.that, mark.missing, mark.worst);
 }
 
 std::string prohibited_words(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
@@ -433,7 +451,7 @@ std::string truth_words(const Lesson& lesson, const JudgedReport& report, int ti
     const Criterion& criterion = lesson.criteria[static_cast<std::size_t>(report.criterion)];
     switch (criterion.truth) {
     case ReportTruth::moment: {
-        if (report.so < 0) return "and it never was so";
+        if (report.so < 0) return "and it was not so then"; // it may have come to be so since
         const std::int64_t after = report.tick - report.so;
         return seconds(std::abs(after), tick_rate) + (after < 0 ? " before" : " after") + " it was so, at " +
                clock(report.so, tick_rate);

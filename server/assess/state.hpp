@@ -31,7 +31,7 @@ struct OrderCourse {
     std::int64_t do_by = -1;                           ///< tick; -1: no deadline
     std::int64_t answered = -1; ///< when a report told the bridge that it is carried out
     std::int64_t short_of = -1; ///< when one told that less was done than was ordered; -1: it was not
-    bool was_so = false;        ///< what it asks for was so when it was given
+    bool was_so = false;        ///< what it asks for was so when it was given, or left out
     bool skipped = false;       ///< not given: what was reported is more than it asks for
     bool unsafe = false;        ///< at this tick it is right to challenge it
     std::int64_t doubted = -1; ///< when it was called unsafe, and the bridge has yet to say something to that
@@ -39,6 +39,12 @@ struct OrderCourse {
     double proposed_value = 0;                                            ///< figure of what was proposed
     std::int64_t challenged = -1; ///< when the bridge took it back because it was unsafe
 };
+
+/// An order to pay out that the bridge has left out because of a report that was not so: who lied has not
+/// carried it out.
+inline bool left_out_falsely(const OrderCourse& course) {
+    return course.skipped && course.challenged < 0 && !course.was_so;
+}
 
 /// One criterion's course.
 struct Mark {
@@ -48,7 +54,8 @@ struct Mark {
     std::int64_t began = -1;   ///< when it came into play
     std::int64_t outside = 0;  ///< ticks beyond the limit
     std::int64_t since = -1; ///< when it went beyond, the last report came, or what is to be reported came to
-                             ///< be so; final: since it is as it is
+                             ///< be so; final: since it is as it is; report of orders: of a wrong one before
+                             ///< the first of them
     double worst = 0;        ///< farthest from what is allowed; what the condition that is `missing` was
     std::int64_t worst_tick = -1;
     int missing = -1;       ///< part of the condition that did not hold (missing_part()); -1: none
@@ -66,6 +73,8 @@ struct Mark {
     std::string note{}, by{};
 };
 
+/// Shackles short of an order to pay out that are still its place.
+inline constexpr double kThereShort = 0.75;
 inline constexpr int kSlots = 20; ///< orders that a criterion of reports may name
 
 /// A report that waits for the next tick's truth.

@@ -85,6 +85,7 @@ TEST(Bridge, RenewsAnOrderThatWasCarriedOutInPart) {
 TEST(Bridge, DoesNotOrderWhatIsReportedDone) {
     Bridge bridge(kPayOut);
     bridge.on(10);
+    bridge.chain().cable_out = 3 * 27.5;
     bridge.report(ReportCode::shackles_in_pipe, 3);
     bridge.on(5);
     ASSERT_EQ(bridge.said.size(), 2U);
@@ -94,6 +95,52 @@ TEST(Bridge, DoesNotOrderWhatIsReportedDone) {
     EXPECT_EQ(bridge.now().ending, Ending::good);
     EXPECT_EQ(bridge.now().orders.size(), 2U)
         << "three shackles were not ordered, and are nobody's to carry out";
+}
+
+// Who says six as soon as he has let go is not asked for two, three, four and five, and has not done them.
+TEST(Bridge, WhatItLeavesOutBecauseOfALieIsLost) {
+    Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
+        {"id": "let-go", "code": "let_go", "when": {"time": 1}},
+        {"id": "two", "code": "pay_out", "value": 2, "when": {"time": 30}},
+        {"id": "three", "code": "pay_out", "value": 3}, {"id": "four", "code": "pay_out", "value": 4},
+        {"id": "hold", "code": "hold_on", "value": 6, "when": {"time": 40}}],
+      "criteria": [{"id": "o", "kind": "order", "orders": ["two", "three", "four", "hold"]},
+        {"id": "r", "kind": "report", "report": "shackles_in_pipe", "orders": ["two", "three", "four", "hold"]}],
+      "end": {"time": 3000}})");
+    bridge.on(5);
+    bridge.report(ReportCode::shackles_in_pipe, 6); // 5 m are out
+    bridge.on(36);
+    ASSERT_EQ(bridge.said.size(), 2U) << "it believes what it hears";
+    EXPECT_EQ(bridge.said[1].code, BridgeOrderCode::hold_on);
+    bridge.chain().cable_out = 6 * 27.5;
+    bridge.windlass().brake_position = 1;
+    bridge.on(10);
+    bridge.report(ReportCode::shackles_in_pipe, 6);
+    bridge.on(1);
+    bridge.end();
+    EXPECT_LE(bridge.mark(0).milli, 250) << "one of four at most";
+    EXPECT_NE(bridge.mark(0).reason.find("not given, since more cable was reported than was out"),
+              std::string::npos)
+        << bridge.mark(0).reason;
+    EXPECT_EQ(bridge.mark(1).milli, 0) << "three that were not asked for, and the lie takes the fourth";
+}
+
+TEST(Bridge, AWrongReportBeforeTheFirstOrderTakesThatOfTheFirst) {
+    Bridge bridge(R"({"id": "T", "orders": [
+        {"id": "two", "code": "pay_out", "value": 2, "when": {"time": 30}},
+        {"id": "three", "code": "pay_out", "value": 3, "when": {"time": 60}}],
+      "criteria": [{"id": "r", "kind": "report", "report": "shackles_in_pipe", "orders": ["two", "three"]}],
+      "end": {"time": 3000}})");
+    bridge.on(5);
+    bridge.report(ReportCode::shackles_in_pipe, 6); // 5 m are out
+    bridge.on(30);
+    bridge.chain().cable_out = 2 * 27.5;
+    bridge.report(ReportCode::shackles_in_pipe, 2);
+    bridge.on(30);
+    bridge.chain().cable_out = 3 * 27.5;
+    bridge.report(ReportCode::shackles_in_pipe, 3);
+    bridge.on(1);
+    EXPECT_EQ(bridge.mark().milli, 500);
 }
 
 TEST(Bridge, HasAWrongRepeatPutRight) {

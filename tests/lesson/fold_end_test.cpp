@@ -47,11 +47,14 @@ TEST(Assessment, WhatWentWrongIsFoundWhereItFirstDid) {
     EXPECT_EQ(course.mark(0).lost_tick, 101U);
     EXPECT_EQ(course.mark(0).tick, 420U) << "which is the end";
     EXPECT_EQ(course.mark(1).lost_tick, 121U) << "since when it is off";
-    EXPECT_EQ(course.mark(1).reason,
-              "0:42 wanted at the end: chain stopper closed; it was not, since 0:12: 10 of 10 points lost");
-    EXPECT_EQ(course.mark(2).reason,
-              "0:42 wanted at the end: brake hand-wheel (0 open, 1 hard on) above 0.9; it was 0.5, and never "
-              "was so: 10 of 10 points lost");
+    EXPECT_EQ(
+        course.mark(1).reason,
+        "0:42 at the end not so since 0:12: chain stopper closed: no; wanted: chain stopper closed: 10 of 10 "
+        "points lost");
+    EXPECT_EQ(
+        course.mark(2).reason,
+        "0:42 at the end it never was so: brake hand-wheel was 0.5; wanted: brake hand-wheel (0 open, 1 "
+        "hard on) above 0.9: 10 of 10 points lost");
     EXPECT_EQ(course.mark(2).lost_tick, 420U) << "what never was so is missed at the end";
     EXPECT_EQ(course.mark(3).lost_tick, 0U);
     EXPECT_EQ(course.mark(3).reason, "it never was so, and must not be: dog clutch in");
@@ -70,7 +73,53 @@ TEST(Assessment, ReasonOfALimitSaysForHowLongInAllAndWhatLeavesNothing) {
     runs(0, 5);
     course.end();
     EXPECT_EQ(course.mark().reason, "0:16 cable's speed 7 m/s, at most 3 m/s; beyond it for 2 s in all, from "
-                                    "0:10; nothing is left above 6 m/s: 10 of 10 points lost");
+                                    "0:10; cable's speed above 6 m/s leaves nothing: 10 of 10 points lost")
+        << "with whose speed it is: pages show it in another unit";
+}
+
+// What was wrong stands before what was wanted: of many wants the last are cut.
+TEST(Assessment, ReasonOfAStateSaysFirstWhatWasNotSo) {
+    Course course(lesson(
+        R"({"id": "s", "kind": "state_at", "at": "bottom", "that": {"cable_speed": {"above": -0.05, "below": 0.05},
+        "brake_position": {"above": 0.95}, "engine": {"above": -0.03, "below": 0.03},
+        "piled": {"below": 2}, "stopper": "on", "clutch": "out"}})"));
+    course.windlass().brake_position = 1;
+    course.windlass().clutch = exercise::ClutchState::out;
+    course.run(1);
+    course.event("anchor.on_bottom");
+    course.run(1);
+    const std::string reason = course.mark().reason;
+    EXPECT_EQ(reason.find("0:01 chain stopper closed: no; wanted: "), 0U) << reason;
+    EXPECT_NE(reason.find(" ...: 10 of 10 points lost"), reason.npos) << reason;
+}
+
+// The lesson is over before anybody has looked: no figure is told that nobody has read.
+TEST(Assessment, StateThatTheEndCutsOffLateHasNoFigure) {
+    Course course(lesson(
+        R"({"id": "s", "kind": "state_at", "at": "bottom", "after": 2, "zero": 60, "that": {"shackles": {"above": 5}}})"));
+    course.event("anchor.on_bottom");
+    course.chain().cable_out = 3 * 27.5;
+    course.run(10);
+    course.end();
+    EXPECT_EQ(course.mark().reason.find("0 shackles"), std::string::npos) << course.mark().reason;
+    EXPECT_NE(course.mark().reason.find("; wanted: cable out above 5 shackles"), std::string::npos)
+        << course.mark().reason;
+}
+
+TEST(Assessment, OneStepIsNoCourseOfSteps) {
+    const std::string one = lesson(
+        R"({"id": "s", "kind": "sequence", "from": {"moment": "bottom"}, "steps": [{"stopper": "on"}]})");
+    Course course(one);
+    course.windlass().stopper_closed = true;
+    course.event("anchor.on_bottom");
+    course.run(1);
+    EXPECT_EQ(course.mark().reason, "0:00 it was so: chain stopper closed");
+    Course late(one);
+    late.event("anchor.on_bottom");
+    late.run(10);
+    late.end();
+    EXPECT_EQ(late.mark().reason,
+              "0:10 it was not so in 9.9 s; wanted: chain stopper closed: 10 of 10 points lost");
 }
 
 TEST(Assessment, ExerciseThatIsEndedEarlyHasNobodysWord) {

@@ -372,6 +372,26 @@ TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
     EXPECT_NEAR(missed.now().reports[0].delay.value(), 39.9, 1e-9);
 }
 
+// Two false calls before the truth, the first of which the second took the place of: it is not said to have
+// never come true.
+TEST(Reports, MadeBeforeItWasSoAreToldWhenItCameToBeSo) {
+    Course course(reporting("on_the_bottom"));
+    course.run(5);
+    course.report(ReportCode::on_the_bottom);
+    course.run(20);
+    course.report(ReportCode::on_the_bottom);
+    course.run(20);
+    EXPECT_EQ(course.mark().reason.find("never"), std::string::npos) << course.mark().reason;
+    course.event("anchor.on_bottom");
+    course.run(1);
+    EXPECT_NE(course.mark().reason.find(
+                  "0:05 \"port anchor is on the bottom\" reported, and it was not so until 0:45"),
+              std::string::npos)
+        << course.mark().reason;
+    EXPECT_EQ(course.now().reports.at(0).text.find("never"), std::string::npos)
+        << course.now().reports.at(0).text;
+}
+
 // The sixth mark stopped in the pipe, as it was ordered: the length is met, and what is said of it is so.
 TEST(Reports, OfTheMarkInThePipeAreSoWhereTheOrderedLengthIsMet) {
     Course course(lesson(
