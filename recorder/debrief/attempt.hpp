@@ -112,7 +112,8 @@ struct LessonText {
 
 /// Ship, cables and anchors at a moment; what was not recorded then is empty.
 struct SceneAt {
-    double time = 0; ///< s of exercise, of the moment: the samples are the last at or before it
+    double time =
+        0; ///< s of exercise, of the moment: the samples are the first at or after it, else the last before
     std::optional<ShipState> ship;
     std::array<std::optional<ChainState>, 2> chains; ///< by side
     std::array<std::optional<AnchorState>, 2> anchors;

@@ -112,6 +112,11 @@ bool was_hinted(const Attempt& attempt, const Criterion& criterion) {
            });
 }
 
+bool was_looked_at(const Criterion& limit) {
+    // Also where an assessor's word stands in its place: one that was looked at and kept has its full mark.
+    return limit.milli() > 0 || limit.time_outside() > 0;
+}
+
 std::string name_of(const Criterion& criterion) {
     std::string name = criterion.code().to_string();
     std::ranges::replace_if(

@@ -59,6 +59,9 @@ std::string practice_words(const Attempt& attempt);
 /// Whether a hint was given on that criterion.
 bool was_hinted(const Attempt& attempt, const Criterion& criterion);
 
+/// Whether a limit ever came into play: what was never looked at has no worst.
+bool was_looked_at(const Criterion& limit);
+
 /// What a criterion is called: "pay out".
 std::string name_of(const Criterion& criterion);
 

@@ -75,7 +75,11 @@ void add_failures(const Attempt& attempt, std::vector<Moment>& moments) {
             moments.push_back({mark.time, fmt::format("not met: {}", title_of(*mark.criterion)), -1});
     for (const OrderSaid& order : orders_said(attempt))
         if (order.judged && !order.done)
-            moments.push_back({order.given, fmt::format("order not carried out: {}", order.words), -1});
+            moments.push_back(
+                {order.given,
+                 fmt::format("{}: {}", order.question ? "not answered" : "order not carried out",
+                             order.words),
+                 -1});
     for (const ReportSaid& report : reports_said(attempt))
         if (report.milli && *report.milli == 0)
             moments.push_back(

@@ -267,14 +267,15 @@ std::string criteria(const Attempt& attempt, const Judgement& judgement) {
     for (const Mark& mark : judgement.marks) {
         const Criterion& criterion = *mark.criterion;
         const bool limit = criterion.kind() == CRITERION_LIMIT;
+        const bool looked_at = limit && was_looked_at(criterion);
         const std::string unit = criterion.unit().to_string();
         rows.push_back(
             {text_cell(title_of(criterion) + (criterion.must() ? " (must)" : "") +
                        (was_hinted(attempt, criterion) ? " (hinted)" : "")),
              text_cell(station::words(criterion.kind())),
              figure_cell(limit ? figure_text(criterion.limit(), unit) : ""),
-             figure_cell(limit ? figure_text(criterion.worst(), unit) : ""),
-             figure_cell(limit ? fmt::format("{:.1f}", criterion.time_outside()) : ""),
+             figure_cell(looked_at ? figure_text(criterion.worst(), unit) : ""),
+             figure_cell(looked_at ? fmt::format("{:.1f}", criterion.time_outside()) : ""),
              figure_cell(fmt::format("{}", criterion.weight())),
              figure_cell(criterion.counts() ? fmt::format("{:.0f} %", criterion.counted() / 10.0) : ""),
              text_cell(station::words(criterion.state(), criterion.kind()))});

@@ -21,15 +21,20 @@ std::optional<double> since(std::optional<double> time, double from) {
     return time ? std::optional(*time - from) : std::nullopt;
 }
 
-/// When an order was carried out, or that it was not; empty where the lesson does not know it.
+/// When an order was carried out, or that it was not; empty where nobody knows it, and of a question, which
+/// has its answer.
 Cell done_cell(const PageContext& page, const OrderSaid& order) {
+    if (order.question) return text_cell("");
+    if (order.done_before) return {time_link(page, *order.done_before) + ", before it was said again", false};
     if (!order.judged) return text_cell("");
     return order.done ? Cell{time_link(page, *order.done), false} : text_cell("not");
 }
 
 /// How long that took; of what was so when it was ordered, that.
 Cell taken_cell(const OrderSaid& order) {
-    if (order.done && *order.done < order.given) return figure_cell("so already");
+    constexpr double kAtOnce = 0.05; // s: a tick or two, in which no hand does anything
+    if (order.question) return figure_cell("");
+    if (order.done && *order.done < order.given + kAtOnce) return figure_cell("so already");
     return seconds_cell(since(order.done, order.given));
 }
 

@@ -89,6 +89,12 @@ const AssessorWord* confirmation(const Attempt& attempt) {
     return last;
 }
 
+/// null: of a limit that was never looked at.
+ordered_json worst_of(const Criterion& criterion) {
+    if (criterion.kind() == CRITERION_LIMIT && !was_looked_at(criterion)) return nullptr;
+    return criterion.worst();
+}
+
 ordered_json criteria_json(const Attempt& attempt) {
     ordered_json all = ordered_json::array();
     for (const Mark& mark : judgement_of(attempt).marks) {
@@ -107,7 +113,7 @@ ordered_json criteria_json(const Attempt& attempt) {
                           {"hinted", was_hinted(attempt, criterion)},
                           {"points_lost", mark.lost},
                           {"limit", criterion.limit()},
-                          {"worst", criterion.worst()},
+                          {"worst", worst_of(criterion)},
                           {"unit", criterion.unit().to_string()},
                           {"time_outside", criterion.time_outside()},
                           {"time", mark.time},
@@ -154,6 +160,9 @@ ordered_json assessment_json(const Attempt& attempt) {
 }
 
 std::string done_words(const OrderSaid& order) {
+    if (order.question) return "";
+    if (order.done_before)
+        return "; carried out at " + station::clock(*order.done_before) + ", before it was said again";
     if (!order.judged) return "";
     return order.done ? "; carried out at " + station::clock(*order.done) : "; not carried out";
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace windlass::debrief {
 
@@ -84,16 +85,6 @@ void tell_tackle(const Attempt& attempt, const SaidReport& said, ReportSaid& row
         add(station::load(truth->tension) + " at the lip");
 }
 
-/// When the lesson says that an order was carried out.
-void tell_done(const Attempt& attempt, OrderSaid& row) {
-    if (!attempt.assessment) return;
-    for (const OrderDone& each : attempt.assessment->orders()) {
-        if (each.number() != row.number) continue;
-        row.judged = true;
-        if (each.tick() > 0) row.done = attempt.time_of(each.tick());
-    }
-}
-
 bool repeats(const SaidReport& said, int number) {
     return said.report.code() == REPORT_ORDER_REPEATED && said.report.order_number() == number;
 }
@@ -111,6 +102,87 @@ bool is_same(const BridgeOrder& one, const BridgeOrder& other) {
     const std::string_view text = one.text().c_str(), other_text = other.text().c_str();
     return one.code() == other.code() && one.side() == other.side() && one.value() == other.value() &&
            (one.code() != BRIDGE_ORDER_TEXT || text.ends_with(other_text) || other_text.ends_with(text));
+}
+
+/// What the lesson knows of an order, which it calls by the number of the last time that it was given;
+/// nullptr: nothing.
+const OrderDone* known_of(const Attempt& attempt, const BridgeOrder& order) {
+    const OrderDone* known = nullptr;
+    if (!attempt.assessment) return known;
+    for (const OrderDone& each : attempt.assessment->orders()) {
+        if (each.number() < order.number() || (known != nullptr && each.number() > known->number())) continue;
+        const auto given = std::ranges::find(attempt.orders, each.number(),
+                                             [](const GivenOrder& one) { return one.order.number(); });
+        if (given != attempt.orders.end() && is_same(given->order, order)) known = &each;
+    }
+    return known;
+}
+
+/// When the lesson says that an order was carried out: of several times that it was given the last before
+/// that, or the first where it was so already.
+void tell_done(const Attempt& attempt, const BridgeOrder& order, OrderSaid& row) {
+    const OrderDone* known = known_of(attempt, order);
+    if (known == nullptr) return;
+    if (known->tick() == 0) {
+        row.judged = known->number() == row.number;
+        return;
+    }
+    const double done = attempt.time_of(known->tick());
+    int carried_out = 0;
+    for (const GivenOrder& each : attempt.orders)
+        if (known_of(attempt, each.order) == known && (carried_out == 0 || each.order.time() <= done))
+            carried_out = each.order.number();
+    row.judged = row.number == carried_out;
+    if (row.judged) row.done = done;
+    if (row.number > carried_out) row.done_before = done;
+}
+
+bool is_to_pay_out(const BridgeOrder& order) {
+    const bool out = order.code() == BRIDGE_ORDER_PAY_OUT || order.code() == BRIDGE_ORDER_VEER;
+    return out && order.value() > 0 && (order.side() == SIDE_PORT || order.side() == SIDE_STARBOARD);
+}
+
+/// m, of the cable at the lip, where the ordered mark is about in the pipe.
+double ordered_length(const BridgeOrder& order) {
+    return order.value() * words::units::shackle;
+}
+
+/// Since when as much cable as was ordered stood out, for the last time before another length was ordered;
+/// nothing: it never did.
+std::optional<double> paid_out(const Attempt& attempt, const BridgeOrder& order) {
+    constexpr double kAsOrdered = 0.25 * words::units::shackle; // m
+    constexpr double kStands = 0.1;                             // m/s
+    constexpr double kFor = 15; // s: eased in steps, a cable stands for less in between
+    const auto next = std::ranges::find_if(attempt.orders, [&](const GivenOrder& each) {
+        return each.order.number() > order.number() && each.order.side() == order.side() &&
+               is_to_pay_out(each.order) && !is_same(each.order, order);
+    });
+    const double until = next == attempt.orders.end() ? attempt.ended : next->order.time();
+    std::optional<double> since, stood;
+    for (const Truth& truth : attempt.sides[static_cast<std::size_t>(order.side())].truths) {
+        if (truth.time < order.time()) continue;
+        if (truth.time > until) break;
+        const bool so = std::abs(truth.cable_out - ordered_length(order)) <= kAsOrdered &&
+                        std::abs(truth.cable_speed) <= kStands;
+        if (!so) since.reset();
+        if (so && !since) since = truth.time;
+        if (since && truth.time >= *since + kFor) stood = since;
+    }
+    return since ? since : stood;
+}
+
+/// A lesson that leaves the lengths to the bridge knows one order to pay out, and of it that the cable stood:
+/// how much was out, and how each order after it went, the cable itself tells.
+void tell_paid_out(const Attempt& attempt, const BridgeOrder& order, OrderSaid& row) {
+    if (!attempt.assessment || !is_to_pay_out(order) || row.done_before) return;
+    if (row.judged && !row.done) return;
+    if (!row.judged && known_of(attempt, order) != nullptr) return; // said again: the last time tells it
+    const Truth* truth =
+        row.done ? attempt.sides[static_cast<std::size_t>(order.side())].truth_at(*row.done) : nullptr;
+    if (truth != nullptr && std::abs(truth->cable_out - ordered_length(order)) <= words::units::shackle)
+        return;
+    row.judged = true;
+    row.done = paid_out(attempt, order);
 }
 
 /// To the server what answers an order answers each time that the same was given: those that nobody had
@@ -131,6 +203,48 @@ void tell_said_again(const Attempt& attempt, const BridgeOrder& order, OrderSaid
     }
 }
 
+/// Nobody repeats a question.
+bool is_question(BridgeOrderCode code) {
+    return code < words::kBridgeOrderCode.size() && words::kBridgeOrderCode[code].repeat <= 0;
+}
+
+bool answers_question(const BridgeOrder& question, const Report& report) {
+    const auto one_of = [&](std::initializer_list<ReportCode> codes) {
+        return std::ranges::find(codes, report.code()) != codes.end();
+    };
+    if (report.side() >= 0 && question.side() >= 0 && report.side() != question.side()) return false;
+    switch (question.code()) {
+    case BRIDGE_ORDER_HOW_MUCH:
+        return one_of({REPORT_SHACKLES_ON_DECK, REPORT_SHACKLES_IN_PIPE, REPORT_SHACKLES_IN_WATER});
+    case BRIDGE_ORDER_HOW_LEADING:
+        return one_of({REPORT_LEAD, REPORT_SHORT_STAY, REPORT_UP_AND_DOWN});
+    case BRIDGE_ORDER_HOW_GROWING:
+        return report.code() == REPORT_GROWING;
+    case BRIDGE_ORDER_HOW_MUCH_WEIGHT:
+        return report.code() == REPORT_WEIGHT;
+    case BRIDGE_ORDER_BROUGHT_UP:
+        return one_of({REPORT_BROUGHT_UP, REPORT_GROWING, REPORT_DRAGGING, REPORT_LEAD});
+    default:
+        return false;
+    }
+}
+
+/// What came to a question until it was asked again.
+void tell_answered(const Attempt& attempt, const BridgeOrder& question, OrderSaid& row) {
+    const auto again = std::ranges::find_if(attempt.orders, [&](const GivenOrder& each) {
+        return each.order.number() > question.number() && is_same(each.order, question);
+    });
+    const bool asked_again = again != attempt.orders.end();
+    for (const SaidReport& said : attempt.reports) {
+        const bool in_time = said.time >= row.given && (!asked_again || said.time < again->order.time());
+        if (row.answered || !in_time || !answers_question(question, said.report)) continue;
+        row.answered = said.time;
+        row.answer = station::words(said.report);
+    }
+    if (question.state() != ORDER_GIVEN) return; // taken back, or repeated all the same
+    row.state = row.answered ? "answered" : asked_again ? "not answered, asked again" : "not answered";
+}
+
 } // namespace
 
 std::vector<OrderSaid> orders_said(const Attempt& attempt) {
@@ -140,16 +254,19 @@ std::vector<OrderSaid> orders_said(const Attempt& attempt) {
                       .given = order.time(),
                       .words = station::words(order),
                       .by = order.by().to_string(),
+                      .question = is_question(order.code()),
                       .repeated = {},
                       .state = std::string(station::words(order.state())),
                       .answered = {},
                       .answer = {},
                       .repeat_by = {},
                       .do_by = {},
-                      .done = {}};
+                      .done = {},
+                      .done_before = {}};
         if (order.repeat_by() > order.time()) row.repeat_by = order.repeat_by();
         if (order.do_by() > order.time()) row.do_by = order.do_by();
-        tell_done(attempt, row);
+        tell_done(attempt, order, row);
+        tell_paid_out(attempt, order, row);
         for (const SaidReport& said : attempt.reports) {
             if (!row.repeated && repeats(said, order.number())) row.repeated = said.time;
             if (!row.answered && answers(said, order.number())) {
@@ -157,6 +274,7 @@ std::vector<OrderSaid> orders_said(const Attempt& attempt) {
                 row.answer = station::words(said.report);
             }
         }
+        if (row.question) tell_answered(attempt, order, row);
         tell_said_again(attempt, order, row);
         rows.push_back(std::move(row));
     }

@@ -10,13 +10,15 @@ struct OrderSaid {
     int number = 0;
     double given = 0; ///< s of exercise
     std::string words, by;
+    bool question = false;          ///< it asks: answered, and not repeated
     std::optional<double> repeated; ///< time of the first repeat-back
-    std::string state;              ///< "repeated", "repeated wrongly", "not repeated, said again" ...
+    std::string state; ///< "repeated", "repeated wrongly", "not repeated, said again", "answered" ...
     std::optional<double> answered; ///< time of the first report that answers it, other than its repeat-back
     std::string answer;             ///< its words
     std::optional<double> repeat_by, do_by; ///< times, where there was a deadline
-    bool judged = false;                    ///< the lesson knows when it is carried out
+    bool judged = false;                    ///< it is known whether it was carried out
     std::optional<double> done;             ///< judged: time from which on it was; nothing: it was not
+    std::optional<double> done_before;      ///< said again: the same, carried out before that
 };
 
 /// A report that is no repeat-back.

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMaxScenes = 12;
 constexpr double kNear = 3;        // s of exercise; doubled until there are few enough
 constexpr double kBefore = 2;      // s of the recording: the slowest stream comes five times a second
-constexpr double kAfter = 0.3;     // the time of a status is known to a fifth of a second
+constexpr double kAfter = 0.6;     // a sample after it; the time of a status is known to a fifth of a second
 constexpr double kRounding = 1e-6; // s
 
 std::vector<PicturedMoments> grouped(const std::vector<Moment>& moments, double near) {
@@ -32,10 +32,11 @@ std::vector<PicturedMoments> grouped(const std::vector<Moment>& moments, double 
     return groups;
 }
 
-/// The sample takes the place of an older one, up to the moment.
+/// The sample takes the place of one from before the moment: what the moment tells is so from it on, as that
+/// the anchor is on the bottom.
 template <class T>
-void keep(std::optional<T>& kept, T sample, double until) {
-    if (sample.time() <= until + kRounding && (!kept || sample.time() >= kept->time()))
+void keep(std::optional<T>& kept, T sample, double moment) {
+    if (!kept || (kept->time() < moment - kRounding && sample.time() >= kept->time()))
         kept = std::move(sample);
 }
 

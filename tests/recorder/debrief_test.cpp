@@ -612,6 +612,106 @@ TEST(DebriefTest, OrderOfWhatWasSoAlreadyTookNoTime) {
     EXPECT_THAT(page_of(attempt, {}), HasSubstr(">so already</td>"));
 }
 
+TEST(DebriefTest, OrderThatWasSaidAgainWasCarriedOutOnceAndNotBeforeItWasGiven) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder); // given at 8 s, carried out at 14 s
+    for (const int number : {2, 3}) {
+        GivenOrder again = attempt.orders[0];
+        again.order.number(number);
+        again.order.time(number == 2 ? 11 : 17);
+        again.order.text("I say again");
+        attempt.orders.push_back(again);
+    }
+    attempt.assessment->orders()[0].number(3); // as the server calls it
+    const auto orders = orders_said(attempt);
+    ASSERT_THAT(orders, SizeIs(3));
+    EXPECT_FALSE(orders[0].judged || orders[0].done) << "that time had passed";
+    EXPECT_EQ(orders[1].done, 14.0);
+    EXPECT_FALSE(orders[2].judged || orders[2].done);
+    EXPECT_EQ(orders[2].done_before, 14.0);
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr(", before it was said again</td>"));
+    EXPECT_THAT(csv_of(attempt), HasSubstr("carried out at 0:14, before it was said again"));
+    attempt.assessment->orders()[0].tick(test::tick_at(1)); // so already
+    EXPECT_EQ(orders_said(attempt)[0].done, 1.0) << "the first time that it was given";
+    EXPECT_EQ(orders_said(attempt)[1].done_before, 1.0);
+}
+
+// The cable stands at 5 m when it is ordered, and at 57 m from 40 s on. A lesson that leaves the length to
+// the bridge takes the first for done, and knows of no second order.
+TEST(DebriefTest, OrderToPayOutIsCarriedOutWhenThatLengthStandsOut) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    auto& truths = attempt.sides[SIDE_PORT].truths;
+    std::erase_if(truths, [](const Truth& truth) { return truth.time > 40; });
+    for (double time = 40.1; time < 60; time += 0.1)
+        truths.push_back({.time = time, .cable_out = 57});
+    const auto give = [&](std::size_t place, double time, double shackles) {
+        BridgeOrder& order = attempt.orders[place].order;
+        order.number(static_cast<int>(place) + 1);
+        order.time(time);
+        order.code(BRIDGE_ORDER_PAY_OUT);
+        order.side(SIDE_PORT);
+        order.value(shackles);
+    };
+    attempt.orders.resize(2, attempt.orders[0]);
+    give(0, 8, 2);
+    give(1, 50, 6);
+    attempt.assessment->orders()[0].tick(test::tick_at(8.01));
+    const auto orders = orders_said(attempt);
+    ASSERT_TRUE(orders[0].done);
+    EXPECT_NEAR(*orders[0].done, 40.1, 0.11);
+    EXPECT_TRUE(orders[1].judged);
+    EXPECT_FALSE(orders[1].done);
+    for (Truth& truth : truths)
+        if (truth.time > 43 && truth.time < 45) truth.cable_speed = 0.3;
+    EXPECT_NEAR(orders_said(attempt)[0].done.value_or(0), 45, 0.11) << "eased once more";
+    give(0, 8, 6); // and never came to that
+    give(1, 50, 2);
+    EXPECT_TRUE(orders_said(attempt)[0].judged);
+    EXPECT_FALSE(orders_said(attempt)[0].done);
+    EXPECT_NEAR(orders_said(attempt)[1].done.value_or(0), 50, 0.11);
+}
+
+TEST(DebriefTest, QuestionIsAnsweredAndNobodyRepeatsIt) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder); // shackles are reported at 37.5 s
+    attempt.orders.reserve(2);
+    BridgeOrder& order = attempt.orders[0].order;
+    order.code(BRIDGE_ORDER_HOW_MUCH);
+    order.side(SIDE_PORT);
+    order.state(ORDER_GIVEN);
+    EXPECT_EQ(orders_said(attempt)[0].state, "answered");
+    EXPECT_NEAR(orders_said(attempt)[0].answered.value_or(0), 37.5, 1e-9);
+    attempt.orders.push_back(attempt.orders[0]);
+    attempt.orders[1].order.number(2);
+    attempt.orders[1].order.time(20);
+    EXPECT_EQ(orders_said(attempt)[0].state, "not answered, asked again");
+    EXPECT_EQ(orders_said(attempt)[1].state, "answered");
+    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("not yet repeated")));
+    attempt.orders.resize(1);
+    order.code(BRIDGE_ORDER_HOW_GROWING);
+    attempt.assessment->orders()[0].tick(0);
+    EXPECT_EQ(orders_said(attempt)[0].state, "not answered");
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("not answered: how is the port cable growing?"));
+}
+
+TEST(DebriefTest, LimitThatNeverCameIntoPlayHasNoWorst) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    Criterion& limit = attempt.assessment->criteria()[1];
+    limit.unit("K");
+    limit.limit(423);
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("-266 degC")) << "6.9 K";
+    limit.milli(0);
+    limit.worst(0);
+    limit.time_outside(0);
+    for (const CriterionState state : {CRITERION_NOT_IN_PLAY, CRITERION_OVERRIDDEN}) {
+        limit.state(state);
+        EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("-273 degC")));
+        EXPECT_TRUE(json_of(attempt)["assessment"]["criteria"][1]["worst"].is_null());
+    }
+}
+
 TEST(DebriefTest, PictureOfSeveralMomentsIsOfTheFirstAndSaysWhatCameAfterIt) {
     const Folder folder;
     Attempt attempt = attempt_of(folder);
