@@ -67,10 +67,12 @@ std::vector<Part> TrainingClass::parts(const std::string& exercise) const {
             merged.push_back(std::move(each));
     std::vector<Part> found_parts;
     for (const Relieved& each : merged)
-        found_parts.push_back({.name = each.name,
-                               .place = each.place,
-                               .since = each.since <= began ? std::nullopt : std::optional(each.since),
-                               .until = each.until >= marked ? std::nullopt : std::optional(each.until)});
+        found_parts.push_back(
+            {.name = each.name,
+             .place = each.place,
+             .since = each.since <= began ? std::nullopt : std::optional(each.since),
+             .until = each.until >= marked ? std::nullopt : std::optional(each.until),
+             .judged = each.place != Place::watch && !(bridge_judged && each.place == Place::forecastle)});
     return found_parts;
 }
 
@@ -112,6 +114,10 @@ ClassBook::ClassBook(const json& kept) {
                            .results = {},
                            .over = each.at("over"),
                            .launch = each.value("launch", std::string())};
+        made.bridge_judged = each.value("bridge_judged", false);
+        const json places = each.value("places", json::object());
+        for (const auto& [name, place] : places.items())
+            made.places[name] = place_named(place).value();
         if (const auto from = each.find("from"); from != each.end())
             made.from = Moment{.recording = from->at("recording"), .position = from->at("position")};
         for (const auto& [exercise, result] : each.at("results").items())
@@ -155,6 +161,9 @@ json ClassBook::to_json() const {
                                 {"place", name_of(one.place)},
                                 {"since", one.since},
                                 {"until", one.until}});
+        json places = json::object();
+        for (const auto& [name, place] : each.places)
+            places[name] = name_of(place);
         json results = json::object();
         for (const auto& [exercise, result] : each.results)
             results[exercise] = {{"recording", result.recording},
@@ -176,6 +185,8 @@ json ClassBook::to_json() const {
                         {"launch", each.launch},
                         {"results", std::move(results)},
                         {"relieved", std::move(relieved)},
+                        {"bridge_judged", each.bridge_judged},
+                        {"places", std::move(places)},
                         {"trainees", std::move(trainees)}});
         if (each.from)
             list.back()["from"] = {{"recording", each.from->recording}, {"position", each.from->position}};
@@ -195,18 +206,20 @@ TrainingClass& ClassBook::mine(const std::string& id) {
 }
 
 std::string ClassBook::free_name(const std::string& wanted) const {
-    std::string name = wanted;
-    for (int i = 2; find(name) != nullptr; ++i) {
-        const std::string number = fmt::format("-{}", i);
-        name = wanted.substr(0, kLongestName - number.size()) + number;
+    std::string name = wanted, behind = "-a";
+    while (find(name) != nullptr) {
+        if (behind.back() == 'z')
+            behind += 'a';
+        else
+            ++behind.back();
+        name = wanted.substr(0, kLongestName - behind.size()) + behind;
     }
     return name;
 }
 
-const TrainingClass& ClassBook::open(const std::string& id, const std::string& lesson, int exercises,
-                                     int crew, const std::string& code, std::int64_t now,
-                                     std::vector<std::string> names, bool practice,
-                                     std::optional<Moment> from) {
+const TrainingClass& ClassBook::open(const std::string& id, Wanted wanted, const std::string& code,
+                                     std::int64_t now) {
+    const auto& [lesson, exercises, crew, names, practice, from, bridge_judged, places] = wanted;
     static const std::regex kName("[A-Za-z0-9][A-Za-z0-9-]{0,23}");
     if (!std::regex_match(id, kName))
         throw Denied(400, "name: 1 to 24 letters, digits and dashes are allowed");
@@ -214,6 +227,8 @@ const TrainingClass& ClassBook::open(const std::string& id, const std::string& l
     if (exercises < 1 || exercises > kExercises)
         throw Denied(400, fmt::format("exercises: 1 to {} are allowed", kExercises));
     if (crew < 1 || crew > kCrew) throw Denied(400, fmt::format("crew: 1 to {} are allowed", kCrew));
+    if (bridge_judged && crew == 1)
+        throw Denied(400, "crew: in this lesson the bridge orders and the forecastle obeys: 2 or 3");
     const std::size_t seats = static_cast<std::size_t>(exercises) * places_of(crew).size();
     if (names.size() > seats)
         throw Denied(400, fmt::format("names: {} are more than the {} seats", names.size(), seats));
@@ -227,17 +242,19 @@ const TrainingClass& ClassBook::open(const std::string& id, const std::string& l
     if (count(false, false) >= kClasses)
         throw Denied(409, fmt::format("{} classes at a time: end one", kClasses));
     TrainingClass made{.id = id,
-                       .lesson = lesson,
+                       .lesson = std::move(wanted.lesson),
                        .code = code,
                        .until = now + kGood,
                        .practice = practice || from,
                        .crew = crew,
                        .exercises = {},
-                       .names = std::move(names),
+                       .names = std::move(wanted.names),
                        .trainees = {},
                        .relieved = {},
                        .results = {}};
-    made.from = std::move(from);
+    made.from = std::move(wanted.from);
+    made.bridge_judged = bridge_judged;
+    made.places = std::move(wanted.places);
     for (int i = 1; i <= exercises; ++i)
         made.exercises.push_back(fmt::format("{}-{}", id, i));
     return classes_.emplace_back(std::move(made));
@@ -350,10 +367,12 @@ std::string marks_csv(const TrainingClass& of) {
         for (const Part& each : of.parts(exercise)) {
             const auto found = of.results.find(exercise);
             const Result result = found == of.results.end() ? Result() : found->second;
+            const bool marked = each.judged && result.points;
             csv += fmt::format("{},{},{},{},{},{},{},{},{}\r\n", field(of.id), field(of.lesson),
                                field(exercise), name_of(each.place), field(each.name),
-                               result.points ? fmt::format("{:.1f}", *result.points) : std::string(),
-                               result.outcome, field(result.recording), part_words(each));
+                               marked ? fmt::format("{:.1f}", *result.points) : std::string(),
+                               each.judged ? result.outcome : "not judged", field(result.recording),
+                               part_words(each));
         }
     return csv;
 }
@@ -372,11 +391,19 @@ Trainee ClassBook::join(const std::string& id, const std::string& name, const st
     if (joined.find(name) != nullptr)
         throw Denied(409,
                      name + " has a seat in another browser; if that was you, ask the instructor to free it");
+    const auto his = joined.places.find(name);
+    const auto is_free = [&](const std::string& exercise, Place place) {
+        return std::ranges::none_of(joined.trainees, [&](const Trainee& each) {
+            return each.exercise == exercise && each.place == place;
+        });
+    };
+    const bool has_his =
+        his != joined.places.end() && std::ranges::any_of(joined.exercises, [&](const std::string& exercise) {
+            return is_free(exercise, his->second);
+        });
     for (const std::string& exercise : joined.exercises)
         for (const Place place : places_of(joined.crew))
-            if (std::ranges::none_of(joined.trainees, [&](const Trainee& each) {
-                    return each.exercise == exercise && each.place == place;
-                }))
+            if (is_free(exercise, place) && (!has_his || place == his->second))
                 return joined.trainees.emplace_back(Trainee{.name = name,
                                                             .key = key,
                                                             .exercise = exercise,

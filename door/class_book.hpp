@@ -57,6 +57,7 @@ struct Part {
     std::string name;
     Place place = Place::ship;
     std::optional<double> since = {}, until = {}; ///< s of exercise; nothing: from its beginning, to its end
+    bool judged = true; ///< the marks are of what is done there; false: of another seat
 };
 
 /// A moment of a recording.
@@ -80,7 +81,9 @@ struct TrainingClass {
     bool over = false;
     std::string launch = {}; ///< of a learning system: its session; empty: an instructor's class
     std::optional<Moment> from =
-        {}; ///< its exercises go on from there, as practice; nothing: they begin anew
+        {};                     ///< its exercises go on from there, as practice; nothing: they begin anew
+    bool bridge_judged = false; ///< a trainee on the bridge leads, and the forecastle does as it is ordered
+    std::map<std::string, Place> places = {}; ///< by name: the seat that it has where that one is free
 
     const Trainee* find(const std::string& name) const;
     /// Exercises in which somebody has a seat.
@@ -106,16 +109,26 @@ public:
     const std::vector<TrainingClass>& classes() const { return classes_; }
     const TrainingClass* find(const std::string& id) const;
 
-    /// A name that no class has, also none that is over: that one, or the same with a number behind it,
-    /// "sun-2".
+    /// A name that no class has, also none that is over: that one, or the same with a letter behind it,
+    /// "sun-b". With a number it would be called as an exercise of the first.
     std::string free_name(const std::string& wanted) const;
 
+    /// What a class is opened with, beside its name and code.
+    struct Wanted {
+        std::string lesson; ///< file of the server's exercise folder
+        int exercises = 1, crew = 1;
+        std::vector<std::string> names = {}; ///< who may join; empty: whoever has the code
+        bool practice = false;
+        std::optional<Moment> from = {};
+        bool bridge_judged = false;
+        std::map<std::string, Place> places = {};
+    };
     /// Opens a class. now: s since 1970. Throws Denied for an id that is no name, is a class's already, be it
     /// over, or begins with "replay" (in replays seats hear all), for more exercises or crew than there may
-    /// be, for more names than seats, one twice, and beyond kClasses.
-    const TrainingClass& open(const std::string& id, const std::string& lesson, int exercises, int crew,
-                              const std::string& code, std::int64_t now, std::vector<std::string> names = {},
-                              bool practice = false, std::optional<Moment> from = {});
+    /// be, for a crew of one where the bridge is judged, for more names than seats, one twice, and beyond
+    /// kClasses.
+    const TrainingClass& open(const std::string& id, Wanted wanted, const std::string& code,
+                              std::int64_t now);
 
     /// Opens a class of one for whom a learning system sends: nobody else joins, and no device has a seat
     /// there. session: not empty; the rest as open() and join() have it. Throws Denied.
@@ -143,8 +156,8 @@ public:
     /// A class whose code it is, and good now; nullptr: none.
     const TrainingClass* with_code(const std::string& code, std::int64_t now) const;
 
-    /// The first free seat of a class for somebody who has its code. Throws Denied when somebody of that name
-    /// has one already, the name is not on the class's list, or none is free.
+    /// The first free seat of a class, or his, for somebody who has its code. Throws Denied when somebody of
+    /// that name has one already, the name is not on the class's list, or none is free.
     Trainee join(const std::string& id, const std::string& name, const std::string& key);
 
     /// A device's own seat: of the class that was opened last, of those under way whose exercise of that

@@ -94,6 +94,14 @@ void ClassRuns::listen(gateway::Clock::time_point now) {
     for (const ClassroomStatus& server : servers_)
         for (const ClassroomExercise& each : server.exercises())
             found_[each.id().to_string()] = {server.server().to_string(), each};
+    std::erase_if(stood_, [&](const auto& each) { return !found_.contains(each.first); });
+    for (const auto& [id, found] : found_)
+        if (found.exercise.state() != RUN_RUNNING || !stood_.contains(id)) stood_[id] = now;
+}
+
+double ClassRuns::ran_for(const std::string& exercise, gateway::Clock::time_point now) const {
+    const auto found = stood_.find(exercise);
+    return found == stood_.end() ? 0 : std::chrono::duration<double>(now - found->second).count();
 }
 
 Result ClassRuns::result(const std::string& exercise) const {

@@ -46,6 +46,8 @@ public:
     /// Why an exercise is not there yet, does not stand at its moment, or is not recorded; empty: nothing is
     /// wrong.
     std::string trouble(const std::string& exercise) const;
+    /// s of wall time since an exercise was heard to run on from a start or a pause; 0: it does not.
+    double ran_for(const std::string& exercise, gateway::Clock::time_point now) const;
     std::size_t servers() const { return servers_.size(); }
 
 private:
@@ -94,6 +96,7 @@ private:
     std::set<std::string> heard_servers_;
     gateway::Clock::time_point newest_server_{};                 // when the last of them was heard first
     std::map<std::string, Found> found_;                         // by exercise
+    std::map<std::string, gateway::Clock::time_point> stood_;    // by exercise: when it did last
     std::map<std::string, Awaited> awaited_;                     // by exercise, of classes
     std::map<std::string, std::unique_ptr<Desk>> desks_;         // by exercise, of classes
     std::map<std::string, Asked> asked_;                         // to be created, by exercise

@@ -36,6 +36,20 @@ std::vector<std::string> names_in(const json& asked) {
     return names;
 }
 
+/// "places": {name: place}: whose seat is where; nothing: in the order in which they come. Throws Denied.
+std::map<std::string, Place> places_in(const json& asked) {
+    std::map<std::string, Place> places;
+    const auto given = asked.find("places");
+    if (given == asked.end()) return places;
+    if (!given->is_object()) throw Denied(400, "places: names and their places are expected");
+    for (const auto& [name, each] : given->items()) {
+        const auto place = each.is_string() ? place_named(each.get<std::string>()) : std::nullopt;
+        if (!place) throw Denied(400, "places: ship, forecastle, bridge or watch");
+        places[plain_name_of(name)] = *place;
+    }
+    return places;
+}
+
 std::string password_in(const json& asked) {
     const std::string password = text_of(asked, "password");
     if (password.size() < People::kPasswordLeast || password.size() > People::kPasswordMost)
@@ -337,8 +351,16 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
         auto names = names_in(asked);
         for (const std::string& name : names)
             if (people_.find(name) != nullptr) throw Denied(409, "names: an instructor is called " + name);
-        book_.open(id, lesson, number_of(asked, "exercises"), number_of(asked, "crew"), code, unix_s(),
-                   std::move(names), practice, from);
+        book_.open(id,
+                   {.lesson = lesson,
+                    .exercises = number_of(asked, "exercises"),
+                    .crew = number_of(asked, "crew"),
+                    .names = std::move(names),
+                    .practice = practice,
+                    .from = from,
+                    .bridge_judged = options_.bridge_is_judged && options_.bridge_is_judged(lesson),
+                    .places = places_in(asked)},
+                   code, unix_s());
         done["lesson"] = lesson;
         if (practice) done["practice"] = true;
         if (from) done["from"] = from->recording;
@@ -462,7 +484,8 @@ json DoorHost::class_told(const TrainingClass& told) {
                 if (one.exercise == exercise && one.place == place) {
                     seat["name"] = one.name;
                     seat["here"] = !links(one.key).empty();
-                    if (const auto silent = silence_of(one.key)) seat["silent"] = std::floor(*silent);
+                    if (const auto silent = silence_of(one.key)) // while it stands nobody has anything to do
+                        seat["silent"] = std::floor(std::min(*silent, runs_.ran_for(exercise, Clock::now())));
                 }
             seats.push_back(std::move(seat));
         }
@@ -471,7 +494,8 @@ json DoorHost::class_told(const TrainingClass& told) {
             parts.push_back({{"name", part.name},
                              {"place", name_of(part.place)},
                              {"since", part.since ? json(*part.since) : json()},
-                             {"until", part.until ? json(*part.until) : json()}});
+                             {"until", part.until ? json(*part.until) : json()},
+                             {"judged", part.judged}});
         const auto known = told.results.find(exercise);
         const Result result = known == told.results.end() ? Result() : known->second;
         json each{{"exercise", exercise},
@@ -496,6 +520,7 @@ json DoorHost::class_told(const TrainingClass& told) {
             {"practice", told.practice},
             {"code", told.over || unix_s() >= told.until ? "" : told.code},
             {"crew", told.crew},
+            {"bridge_judged", told.bridge_judged},
             {"until", told.until},
             {"over", told.over},
             {"exercises", std::move(exercises)}};

@@ -38,6 +38,8 @@ struct DoorOptions {
     Certificate certificate;        ///< to tell of
     /// Exercise files as ExerciseFiles lists them. Runs on a thread of its own. Throws std::exception.
     std::function<nlohmann::json()> lessons;
+    /// Whether a lesson, by its file's name, judges a trainee on the bridge. Nothing: none does.
+    std::function<bool(const std::string& lesson)> bridge_is_judged = {};
     /// The page of a recording's debriefing, by the recording's name. The same.
     /// what_if: address of the page below.
     std::function<std::string(const std::string& recording, const std::string& what_if)> debriefing;

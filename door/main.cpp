@@ -20,6 +20,7 @@
 #include <spdlog/spdlog.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <set>
@@ -221,7 +222,7 @@ void put_in_history(const Options& options, const door::AttemptMade& made) {
                          .name = each.name,
                          .group = made.class_id,
                          .seat = door::name_of(each.place),
-                         .part = door::part_words(each)});
+                         .part = each.judged ? door::part_words(each) : history::kNotJudged});
     const bool replace = true; // a seat that was another's before the last word of the class
     history::History(options.history)
         .add(debrief::read_attempt(recording), seats, options.recordings / made.recording, replace);
@@ -384,6 +385,14 @@ int run(Options options) {
          .names = names,
          .certificate = certificate,
          .lessons = lessons,
+         .bridge_is_judged =
+             [exercises = options.exercises](const std::string& lesson) {
+                 std::ifstream file(exercises / (lesson + ".json"));
+                 const auto exercise = nlohmann::json::parse(file, nullptr, false);
+                 const nlohmann::json of =
+                     exercise.is_object() ? exercise.value("lesson", nlohmann::json()) : nlohmann::json();
+                 return of.is_object() && of.value("bridge", nlohmann::json()) == "manned";
+             },
          .debriefing =
              [debrief_of, recordings = options.recordings](const std::string& recording,
                                                            const std::string& what_if) {

@@ -147,12 +147,15 @@ json ExerciseFiles::list() const {
             paths.push_back(entry.path());
     std::ranges::sort(paths);
     for (const fs::path& path : paths) {
-        json file{{"name", path.stem().string()}, {"title", ""}, {"lesson", nullptr}};
+        json file{
+            {"name", path.stem().string()}, {"title", ""}, {"lesson", nullptr}, {"bridge_judged", false}};
         try {
             const json document = read_json(path);
             file["title"] = text_of(document, "title");
-            if (document.is_object() && document.contains("lesson"))
+            if (document.is_object() && document.contains("lesson")) {
                 file["lesson"] = text_of(document.at("lesson"), "id");
+                file["bridge_judged"] = text_of(document.at("lesson"), "bridge") == "manned";
+            }
         } catch (const std::exception& error) {
             file["title"] = error.what(); // it can be opened by hand only
         }

@@ -89,7 +89,10 @@ std::string History::confirm(const std::string& beginning, const Word& word, con
     database_.all_or_nothing([&] {
         const std::string id = attempt_of(beginning);
         const Row row =
-            database_.run("SELECT score_computed, pass, outcome, practice FROM attempt WHERE id = ?", {id})
+            database_
+                .run("SELECT CASE WHEN confirmed_at IS NULL THEN coalesce(score_final, score_computed) ELSE "
+                     "score_computed END, pass, outcome, practice FROM attempt WHERE id = ?",
+                     {id})
                 .at(0);
         if (integer_of(row[3]) == 1)
             throw std::invalid_argument("attempt " + id.substr(0, 8) +

@@ -14,7 +14,8 @@ struct Seated {
     std::string name;      ///< empty: it stays as it is
     std::string group;     ///< the same
     std::string seat = "forecastle";
-    std::string part = {}; ///< of the attempt in which he had it, "from 4:00"; empty: all of it
+    std::string part =
+        {}; ///< of the attempt in which he had it, "from 4:00", or kNotJudged; empty: all of it
 };
 
 /// One row of the list.
@@ -49,7 +50,7 @@ public:
     /// What an assessor confirms of an attempt, and why.
     struct Word {
         std::string by;
-        std::optional<double> score{}; ///< of 100; nothing: as computed
+        std::optional<double> score{}; ///< of 100; nothing: as computed, with what was set of criteria
         std::string outcome{};         ///< achieved, not_yet, not_shown; empty: it follows from the score
         std::string note;
     };

@@ -136,7 +136,10 @@ void History::put_words(const debrief::Attempt& attempt, const std::string& id) 
                           criterion = word.command.criterion().to_string(),
                           note = word.command.note().to_string();
         const AssessorVerdict verdict = word.command.verdict();
-        if (verdict == VERDICT_ENDED) continue; // the server's: nobody has confirmed anything
+        if (verdict == VERDICT_ENDED) continue;       // the server's: nobody has confirmed anything
+        if (!criterion.empty() && attempt.assessment) // what stands with it, until the whole is confirmed
+            database_.run("UPDATE attempt SET score_final = ? WHERE id = ? AND confirmed_at IS NULL",
+                          {Value(std::int64_t{std::llround(attempt.assessment->score() * 10)}), id});
         if (criterion.empty() && verdict == VERDICT_CONFIRMED)
             database_.run(
                 "UPDATE attempt SET score_final = ?, confirmed_by = ?, confirmed_at = ?, outcome_final = ? "

@@ -29,9 +29,10 @@ std::vector<Done> done_by(Database& database, const std::string& pseudonym) {
          database.run("SELECT attempt.id, coalesce(outcome_final, outcome), recording, lesson.name, "
                       "lesson.json, practice, min(part <> '') FROM attempt "
                       "JOIN lesson ON lesson.hash = lesson_hash JOIN seat ON seat.attempt = attempt.id "
-                      "JOIN trainee ON trainee.id = seat.trainee WHERE pseudonym = ? GROUP BY attempt.id "
+                      "JOIN trainee ON trainee.id = seat.trainee WHERE pseudonym = ? AND part <> ? GROUP BY "
+                      "attempt.id "
                       "ORDER BY began_at, attempt.id",
-                      {pseudonym})) {
+                      {pseudonym, std::string(kNotJudged)})) {
         const json file = json::parse(text_of(row[4]), nullptr, false);
         json lesson = file.is_object() ? file.value("lesson", json::object()) : json::object();
         all.push_back({text_of(row[0]), text_of(row[1]), text_of(row[2]), text_of(row[3]), std::move(lesson),

@@ -9,6 +9,10 @@
 
 namespace windlass::history {
 
+/// A trainee's part of an attempt whose marks are of another's work: the forecastle's, say, that does what a
+/// judged bridge orders. It is none of his.
+inline constexpr const char* kNotJudged = "not judged";
+
 /// A lesson that a centre offers.
 struct Offered {
     std::string id, title; ///< id: as in its file, "L01"

@@ -339,7 +339,7 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   const first = (await owner.locator(".tabs button").first().textContent()).replace(", over", "");
   await owner.goto(new URL("/class", door.url).href);
   const name = await owner.getByRole("textbox", { name: "Name of the class" }).inputValue();
-  assert.equal(name, `${first}-2`, "that of a class that is over is taken");
+  assert.equal(name, `${first}-b`, "that of a class that is over is taken");
   for (const page of [owner, tablet, phone]) hadNoProblems(page);
 });
 

@@ -23,7 +23,7 @@ int status_of(const std::function<void()>& what) {
 
 class Booked : public ::testing::Test {
 protected:
-    Booked() { book_.open("mon", "L01_let_go_25m", 2, 2, "ABCDEF", kNow); }
+    Booked() { book_.open("mon", {.lesson = "L01_let_go_25m", .exercises = 2, .crew = 2}, "ABCDEF", kNow); }
 
     ClassBook book_;
 };
@@ -40,19 +40,58 @@ TEST_F(Booked, SeatsAreTakenInTheirOrderUntilThereAreNone) {
 }
 
 TEST_F(Booked, AListSaysWhoMayJoinAndIsKept) {
-    book_.open("tue", "L01_let_go_25m", 2, 1, "GHJKLM", kNow, {"anna", "ben"});
+    book_.open("tue", {.lesson = "L01_let_go_25m", .exercises = 2, .crew = 1, .names = {"anna", "ben"}},
+               "GHJKLM", kNow);
     EXPECT_EQ(status_of([&] { book_.join("tue", "carl", "k1"); }), 403);
     EXPECT_EQ(book_.join("tue", "ben", "k2").exercise, "tue-1");
     ClassBook again(book_.to_json());
     EXPECT_EQ(status_of([&] { again.join("tue", "carl", "k3"); }), 403);
     EXPECT_EQ(again.join("tue", "anna", "k4").exercise, "tue-2");
     const auto open = [&](std::vector<std::string> names) {
-        return status_of(
-            [&] { book_.open("wed", "L01_let_go_25m", 1, 2, "NPQRST", kNow, std::move(names)); });
+        return status_of([&] {
+            book_.open("wed",
+                       {.lesson = "L01_let_go_25m", .exercises = 1, .crew = 2, .names = std::move(names)},
+                       "NPQRST", kNow);
+        });
     };
     EXPECT_EQ(open({"anna", "ben", "carl"}), 400) << "more than seats";
     EXPECT_EQ(open({"anna", "anna"}), 400);
     EXPECT_EQ(open({"anna", "ben"}), 0);
+}
+
+TEST_F(Booked, WhoGoesOnHasTheSeatThatHeHad) {
+    book_.open("again",
+               {.lesson = "L27_the_conn",
+                .exercises = 1,
+                .crew = 2,
+                .names = {"anna", "ben"},
+                .from = Moment{"mon-1-17", 60},
+                .bridge_judged = true,
+                .places = {{"ben", Place::bridge}, {"anna", Place::forecastle}}},
+               "GHJKLM", kNow);
+    ClassBook kept(book_.to_json());
+    EXPECT_EQ(kept.join("again", "ben", "k1").place, Place::bridge) << "though he is the first who comes";
+    EXPECT_EQ(kept.join("again", "anna", "k2").place, Place::forecastle);
+}
+
+TEST_F(Booked, WhereTheBridgeIsJudgedItIsMannedAndTheForecastleHasNoMarks) {
+    const auto opened = [&](int crew) {
+        return status_of([&] {
+            book_.open("tue", {.lesson = "L27_the_conn", .exercises = 1, .crew = crew, .bridge_judged = true},
+                       "GHJKLM", kNow);
+        });
+    };
+    EXPECT_EQ(opened(1), 400) << "nobody would be at the windlass, or nobody on the bridge";
+    EXPECT_EQ(opened(3), 0);
+    for (const char* name : {"anna", "ben", "carl"})
+        book_.join("tue", name, name);
+    const auto parts = book_.find("tue")->parts("tue-1");
+    ASSERT_EQ(parts.size(), 3U);
+    EXPECT_FALSE(parts[0].judged) << "anna does what the bridge orders";
+    EXPECT_TRUE(parts[1].judged);
+    EXPECT_FALSE(parts[2].judged) << "carl watches";
+    book_.note("tue", "tue-1", {"tue-1-17", 38, "not_yet"});
+    EXPECT_NE(marks_csv(*book_.find("tue")).find("\"anna\",,not judged"), std::string::npos);
 }
 
 TEST_F(Booked, ASeatIsOneBrowsersAtATime) {
@@ -95,28 +134,47 @@ TEST_F(Booked, WhoIsMovedOntoATakenSeatChangesPlaces) {
 }
 
 TEST_F(Booked, NoClassHasAnExerciseInWhichSeatsHearAll) {
-    EXPECT_EQ(status_of([&] { book_.open("replay-mon", "L01", 1, 1, "X", kNow); }), 400);
-    EXPECT_EQ(status_of([&] { book_.open("replay", "L01", 1, 1, "X", kNow); }), 400);
+    EXPECT_EQ(
+        status_of([&] { book_.open("replay-mon", {.lesson = "L01", .exercises = 1, .crew = 1}, "X", kNow); }),
+        400);
+    EXPECT_EQ(
+        status_of([&] { book_.open("replay", {.lesson = "L01", .exercises = 1, .crew = 1}, "X", kNow); }),
+        400);
 }
 
 TEST_F(Booked, AClassIsRefusedForWhatItMayNotHave) {
     for (const char* name : {"", "../etc", "a b", "-", "exercise/x", "0123456789012345678901234"})
-        EXPECT_EQ(status_of([&] { book_.open(name, "L01", 1, 1, "X", kNow); }), 400) << name;
+        EXPECT_EQ(
+            status_of([&] { book_.open(name, {.lesson = "L01", .exercises = 1, .crew = 1}, "X", kNow); }),
+            400)
+            << name;
     for (const int count : {0, -1, ClassBook::kExercises + 1})
-        EXPECT_EQ(status_of([&] { book_.open("tue", "L01", count, 1, "X", kNow); }), 400) << count;
+        EXPECT_EQ(status_of([&] {
+                      book_.open("tue", {.lesson = "L01", .exercises = count, .crew = 1}, "X", kNow);
+                  }),
+                  400)
+            << count;
     for (const int crew : {0, ClassBook::kCrew + 1})
-        EXPECT_EQ(status_of([&] { book_.open("tue", "L01", 1, crew, "X", kNow); }), 400) << crew;
-    EXPECT_EQ(status_of([&] { book_.open("mon", "L01", 1, 1, "X", kNow); }), 409);
+        EXPECT_EQ(
+            status_of([&] { book_.open("tue", {.lesson = "L01", .exercises = 1, .crew = crew}, "X", kNow); }),
+            400)
+            << crew;
+    EXPECT_EQ(status_of([&] { book_.open("mon", {.lesson = "L01", .exercises = 1, .crew = 1}, "X", kNow); }),
+              409);
     for (std::size_t i = 1; i < ClassBook::kClasses; ++i)
-        book_.open("c" + std::to_string(i), "L01", 1, 1, "X", kNow);
-    EXPECT_EQ(status_of([&] { book_.open("one-more", "L01", 1, 1, "X", kNow); }), 409);
+        book_.open("c" + std::to_string(i), {.lesson = "L01", .exercises = 1, .crew = 1}, "X", kNow);
+    EXPECT_EQ(
+        status_of([&] { book_.open("one-more", {.lesson = "L01", .exercises = 1, .crew = 1}, "X", kNow); }),
+        409);
     book_.end("c1");
-    EXPECT_EQ(status_of([&] { book_.open("one-more", "L01", 1, 1, "X", kNow); }), 0);
+    EXPECT_EQ(
+        status_of([&] { book_.open("one-more", {.lesson = "L01", .exercises = 1, .crew = 1}, "X", kNow); }),
+        0);
 }
 
 TEST_F(Booked, WhatIsKeptIsTheSameBook) {
     book_.join("mon", "anna", "k1");
-    book_.open("tue", "L02", 3, 3, "GHJKLM", kNow);
+    book_.open("tue", {.lesson = "L02", .exercises = 3, .crew = 3}, "GHJKLM", kNow);
     book_.join("tue", "ben", "k2");
     const ClassBook again(book_.to_json());
     EXPECT_EQ(again.to_json(), book_.to_json());
@@ -142,37 +200,43 @@ TEST_F(Booked, WhoSatWhereAndWhatCameOfItOutlivesTheClass) {
     EXPECT_TRUE(book_.note("mon", "mon-1", {"mon-1-18", 74, "achieved"}));
     EXPECT_FALSE(book_.find("mon")->results.at("mon-1").in_history) << "that is another attempt";
     EXPECT_FALSE(book_.note("tue", "tue-1", {}));
-    EXPECT_EQ(status_of([&] { book_.open("mon", "L02", 1, 1, "GHJKLM", kNow); }), 409);
+    EXPECT_EQ(
+        status_of([&] { book_.open("mon", {.lesson = "L02", .exercises = 1, .crew = 1}, "GHJKLM", kNow); }),
+        409);
     EXPECT_EQ(book_.find("mon")->results.at("mon-1").recording, "mon-1-18") << "no new class takes it away";
     for (std::size_t i = 0; i <= ClassBook::kClasses; ++i) {
-        book_.open("c" + std::to_string(i), "L01", 1, 1, "X" + std::to_string(i), kNow);
+        book_.open("c" + std::to_string(i), {.lesson = "L01", .exercises = 1, .crew = 1},
+                   "X" + std::to_string(i), kNow);
         book_.end("c" + std::to_string(i));
     }
     EXPECT_EQ(book_.find("mon"), nullptr) << "the oldest that is over";
     EXPECT_EQ(book_.find("c0"), nullptr) << "and the next";
     EXPECT_NE(book_.find("c1"), nullptr);
-    EXPECT_EQ(status_of([&] { book_.open("mon", "L02", 1, 1, "GHJKLM", kNow); }), 0) << "free again";
+    EXPECT_EQ(
+        status_of([&] { book_.open("mon", {.lesson = "L02", .exercises = 1, .crew = 1}, "GHJKLM", kNow); }),
+        0)
+        << "free again";
 }
 
 TEST_F(Booked, ANameThatAClassHasIsRefusedWithOneThatIsFree) {
     const auto refusal = [&](const std::string& id) -> std::string {
         try {
-            book_.open(id, "L02", 1, 1, "GHJKLM", kNow);
+            book_.open(id, {.lesson = "L02", .exercises = 1, .crew = 1}, "GHJKLM", kNow);
         } catch (const Denied& denied) {
             return denied.what();
         }
         return "";
     };
     EXPECT_EQ(book_.free_name("tue"), "tue");
-    EXPECT_EQ(refusal("mon"), "mon is a class already: mon-2 is free");
+    EXPECT_EQ(refusal("mon"), "mon is a class already: mon-b is free");
     book_.end("mon");
-    EXPECT_EQ(refusal("mon"), "mon is a class that is over, whose results are kept: mon-2 is free");
-    EXPECT_EQ(refusal("mon-2"), "");
-    EXPECT_EQ(book_.free_name("mon"), "mon-3");
+    EXPECT_EQ(refusal("mon"), "mon is a class that is over, whose results are kept: mon-b is free");
+    EXPECT_EQ(refusal("mon-b"), "");
+    EXPECT_EQ(book_.free_name("mon"), "mon-c");
     const std::string longest(ClassBook::kLongestName, 'x');
     EXPECT_EQ(refusal(longest), "");
     const std::string next = book_.free_name(longest);
-    EXPECT_EQ(next, std::string(ClassBook::kLongestName - 2, 'x') + "-2");
+    EXPECT_EQ(next, std::string(ClassBook::kLongestName - 2, 'x') + "-b");
     EXPECT_EQ(refusal(next), "") << "it is a name that may be had";
 }
 
@@ -328,7 +392,7 @@ TEST_F(Booked, LearningSystemsHaveTheirOwnPlacesAndTakeNoneOfAnInstructors) {
     }
     EXPECT_FALSE(book_.can_launch());
     EXPECT_EQ(status_of([&] { book_.launch("cmi5-x", "sx", "L04_weigh", false, "emil", "lx", kNow); }), 503);
-    book_.open("tue", "L04_weigh", 1, 1, "GHJKLM", kNow);
+    book_.open("tue", {.lesson = "L04_weigh", .exercises = 1, .crew = 1}, "GHJKLM", kNow);
     book_.end("mon");
     for (std::size_t i = 0; i < ClassBook::kLaunched; ++i)
         book_.end("cmi5-" + std::to_string(i));

@@ -422,6 +422,7 @@ TEST_F(TraineeAtTheDoor, WhoDoesNothingIsSilentUntilTheHandDoesSomething) {
         return told["exercises"][0]["seats"][0]["silent"];
     };
     EXPECT_TRUE(silent().is_null()) << "nobody is there";
+    EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}).status, 200);
     const auto page = ben.open("page=forecastle");
     const auto hold = [&](double brake) {
         page->say({{"op", "levers"},

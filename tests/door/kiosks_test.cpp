@@ -84,8 +84,8 @@ TEST(KiosksSeat, IsOfTheClassThatWasOpenedLastAndHasIt) {
     constexpr std::int64_t kNow = 1'800'000'000;
     ClassBook book;
     EXPECT_EQ(book.with_seat(1, Place::ship), nullptr);
-    book.open("mon", "L01_let_go_25m", 4, 2, "ABCDEF", kNow);
-    book.open("tue", "L01_let_go_25m", 2, 2, "GHJKLM", kNow);
+    book.open("mon", {.lesson = "L01_let_go_25m", .exercises = 4, .crew = 2}, "ABCDEF", kNow);
+    book.open("tue", {.lesson = "L01_let_go_25m", .exercises = 2, .crew = 2}, "GHJKLM", kNow);
     const auto id = [&](int exercise, Place place) {
         const auto* found = book.with_seat(exercise, place);
         return found == nullptr ? std::string() : found->id;
@@ -99,7 +99,8 @@ TEST(KiosksSeat, IsOfTheClassThatWasOpenedLastAndHasIt) {
     EXPECT_EQ(refusal([&] { book.sit("tue", "other", "k2", 2, Place::forecastle); }), 409) << "taken";
     EXPECT_EQ(refusal([&] { book.sit("tue", "third", "k2", 1, Place::forecastle); }), 409) << "the name";
     EXPECT_EQ(book.seated("k1")->class_id, "tue");
-    book.open("wed", "L01_let_go_25m", 2, 2, "NPQRST", kNow, {"anna"});
+    book.open("wed", {.lesson = "L01_let_go_25m", .exercises = 2, .crew = 2, .names = {"anna"}}, "NPQRST",
+              kNow);
     EXPECT_EQ(refusal([&] { book.sit("wed", "third", "k3", 2, Place::forecastle); }), 403) << "a list";
     book.end("wed");
     EXPECT_EQ(id(2, Place::forecastle), "tue");

@@ -251,6 +251,23 @@ TEST_F(HistoryTest, ExerciseThatWasEndedEarlyIsConfirmedByNobody) {
     EXPECT_THAT(Database(file()).run("SELECT * FROM override"), IsEmpty());
 }
 
+TEST_F(HistoryTest, WhatAnAssessorHasSetOfACriterionCountsBeforeTheWholeIsConfirmed) {
+    auto of = attempt("monday");
+    debrief::AssessorWord word;
+    word.time = 30;
+    word.by = "Ann";
+    word.command.criterion("stance");
+    word.command.verdict(VERDICT_MET);
+    word.command.note("stood well clear");
+    of.words = {word};
+    of.assessment->score(66.3);
+    History history(file());
+    const std::string id = history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "monday");
+    EXPECT_EQ(history.list()[0].score, 663);
+    EXPECT_EQ(history.list()[0].confirmed_by, "") << "the whole is confirmed by nobody yet";
+    EXPECT_EQ(history.confirm(id, {.by = "Ann", .note = "as it stands"}, ""), "66.3 points, not yet");
+}
+
 TEST_F(HistoryTest, TwoHandsDoNotGetOneSeat) {
     const auto of = attempt("monday");
     History history(file());

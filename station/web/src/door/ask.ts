@@ -72,6 +72,12 @@ export interface From {
   lost: string;
 }
 
+/** A class that goes on from there, each where he sat. */
+export interface Again extends From {
+  crew: number;
+  places: Record<string, PlaceName>;
+}
+
 /** Of who sat in a class that is over; waits: attempts are not in the history yet. */
 export interface NextOfClass {
   waits: boolean;
@@ -103,6 +109,8 @@ export interface Part {
   since: number | null;
   /** s of exercise; null: to its end. */
   until: number | null;
+  /** The marks are of what is done there; else of another seat. */
+  judged: boolean;
 }
 
 /** "to 4:00"; empty: all of it. */
@@ -141,6 +149,8 @@ export interface TrainingClass {
   /** Empty: it is good no longer. */
   code: string;
   crew: number;
+  /** A trainee on the bridge leads, and the forecastle does as it is ordered. */
+  bridge_judged: boolean;
   until: number;
   /** Its seats and its code are nobody's any more. */
   over: boolean;
@@ -158,7 +168,8 @@ export interface Classes {
 
 /** Exercise files. */
 export interface Lessons {
-  files: { name: string; title: string; lesson: string | null }[];
+  /** bridge_judged: it is played by two at least. */
+  files: { name: string; title: string; lesson: string | null; bridge_judged: boolean }[];
 }
 
 async function answered<T>(answer: Response): Promise<T> {

@@ -4,10 +4,12 @@ import { outcomeSaid } from "../kit/words";
 import { h } from "../kit/dom";
 import { clock } from "../kit/units";
 import {
+  type Again,
   type ClassExercise,
   type From,
   type Next,
   type NextOfClass,
+  type PlaceName,
   type TrainingClass,
   ask,
   partWords,
@@ -26,18 +28,30 @@ export function marksOf({ points, outcome }: ClassExercise): string {
   });
 }
 
+/** Of a seat whose work is not what the marks are of. */
+const notJudged = ({ bridge_judged }: TrainingClass): string =>
+  bridge_judged ? t("not judged: the bridge is") : t("only watched");
+
 const kLook = 2000; // ms
 
-/** Begins a class of him alone, ten seconds before it went wrong. */
-const againFrom = (one: Next, from: From, open: Open): HTMLElement =>
+/** Begins a class of him and whoever sat beside him, each where he sat, ten seconds before it went wrong. */
+const againFrom = (one: Next, from: From, it: TrainingClass, open: Open): HTMLElement =>
   h(
     "button",
     {
       title: t("ten seconds before {lost} was lost", { lost: from.lost }),
-      onclick: () => open([one], from),
+      onclick: () => open([one], { ...from, crew: it.crew, places: placesBeside(one.name, it) }),
     },
     t("Again from {time}", { time: clock(from.time) }),
   );
+
+/** Who sat last in the exercise of that name, and where. */
+export function placesBeside(name: string, { exercises }: TrainingClass): Record<string, PlaceName> {
+  const its = exercises.find(({ parts }) => parts.some((part) => part.name === name));
+  const last = new Map((its?.parts ?? []).map((part) => [part.place, part])); // the later of a seat behind the earlier
+  const places = Object.fromEntries([...last.values()].map((part) => [part.name, part.place]));
+  return name in places ? places : { [name]: its?.parts.find((part) => part.name === name)?.place ?? "ship" };
+}
 
 /** "Let go in 25 m, for practice". */
 export const lessonWords = (title: string, practice: boolean): (Node | string)[] => [
@@ -62,15 +76,20 @@ export function together(all: Next[]): Next[][] {
 }
 
 /** Fills the cells by name, and the list of classes that would do, once the history has the class. */
-async function fillNext(id: string, cells: Map<string, HTMLElement>, list: HTMLElement, open?: Open): Promise<void> {
-  const { waits, next } = await ask<NextOfClass>(`next?class=${id}`);
+async function fillNext(
+  it: TrainingClass,
+  cells: Map<string, HTMLElement>,
+  list: HTMLElement,
+  open?: Open,
+): Promise<void> {
+  const { waits, next } = await ask<NextOfClass>(`next?class=${it.id}`);
   if (waits) {
     const shown = (): boolean => [...cells.values()].some((cell) => cell.isConnected);
-    setTimeout(() => shown() && tellNext(id, cells, list, open), kLook);
+    setTimeout(() => shown() && tellNext(it, cells, list, open), kLook);
     return;
   }
   for (const one of next) {
-    const again = one.from && open ? [againFrom(one, one.from, open)] : [];
+    const again = one.from && open ? [againFrom(one, one.from, it, open)] : [];
     cells.get(one.name)?.replaceChildren(...nextWords(one), ...again);
   }
   const classOf = (group: Next[], { title, practice }: Next): HTMLElement =>
@@ -89,7 +108,7 @@ async function fillNext(id: string, cells: Map<string, HTMLElement>, list: HTMLE
 const tellNext: typeof fillNext = (...of) => fillNext(...of).catch(() => {});
 
 /** Begins a class of those who are to do the same next. */
-export type Open = (group: Next[], from?: From) => void;
+export type Open = (group: Next[], from?: Again) => void;
 
 /** A class that is over. title: of its lesson. open: nothing, for who may open none. */
 export function classMarks(it: TrainingClass, title: string, open?: Open): HTMLElement {
@@ -107,7 +126,7 @@ export function classMarks(it: TrainingClass, title: string, open?: Open): HTMLE
         { "data-exercise": each.exercise },
         h("th", { scope: "row" }, part.name),
         h("td", {}, [each.exercise, placeWords[part.place], partWords(part)].filter(Boolean).join(", ")),
-        h("td", { class: "marks" }, marksOf(each)),
+        h("td", { class: "marks" }, part.judged ? marksOf(each) : notJudged(it)),
         h(
           "td",
           {},
@@ -121,7 +140,7 @@ export function classMarks(it: TrainingClass, title: string, open?: Open): HTMLE
   );
   if (rows.length === 0) return h("p", { class: "quiet" }, t("Nobody sat in this class."));
   const heads = [t("Trainee"), t("Seat"), t("Marks"), t("Talk it over"), t("What next")];
-  void tellNext(it.id, cells, list, open);
+  void tellNext(it, cells, list, open);
   return h(
     "section",
     { class: "panel class-marks" },

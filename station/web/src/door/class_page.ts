@@ -11,7 +11,7 @@ import {
   type ClassExercise,
   type Classes,
   type Me,
-  type From,
+  type Again,
   type Lessons,
   type Next,
   type Part,
@@ -152,7 +152,7 @@ class ClassPage {
     const tabs = this.known.classes.map(({ id, over }) => [id, over]);
     this.fill(this.tabs, [tabs, this.chosen], () => this.tabsNow());
     const it = this.known.classes.find(({ id }) => id === this.chosen);
-    const open = this.leads ? (group: Next[], from?: From) => this.goOn(group, from) : undefined;
+    const open = this.leads ? (group: Next[], from?: Again) => this.goOn(group, from) : undefined;
     this.fill(this.body, it?.over ? [it, this.titleOf(it)] : [it?.id ?? this.chosen, it?.exercises.length], () => {
       if (this.chosen === kKiosks && this.devices) return [this.devices];
       if (it?.over) return [classMarks(it, this.titleOf(it), open)];
@@ -172,7 +172,7 @@ class ClassPage {
   }
 
   /** A new class of those who are to do the same next. */
-  private goOn(group: Next[], from?: From): void {
+  private goOn(group: Next[], from?: Again): void {
     this.newClass.fill(group, from);
     this.chosen = undefined;
     this.draw();

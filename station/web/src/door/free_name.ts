@@ -2,12 +2,19 @@
 
 const kLongest = 24; // letters, as the door takes them
 
-/** That name, or the same with a number behind it, which none of those that are taken has: "sun", "sun-2", "sun-3". */
+/** The letter behind that one: "-b" of "-a", "-za" of "-z". */
+const next = (behind: string): string => {
+  const last = behind.charCodeAt(behind.length - 1);
+  return behind.endsWith("z") ? `${behind}a` : behind.slice(0, -1) + String.fromCharCode(last + 1);
+};
+
+/**
+ * That name, or the same with a letter behind it, which none of those that are taken has: "sun", "sun-b", "sun-c". With
+ * a number it would be called as an exercise of the first.
+ */
 export function freeName(wanted: string, taken: readonly string[]): string {
   let name = wanted;
-  for (let i = 2; taken.includes(name); ++i) {
-    const number = `-${i}`;
-    name = wanted.slice(0, kLongest - number.length) + number;
-  }
+  for (let behind = next("-a"); taken.includes(name); behind = next(behind))
+    name = wanted.slice(0, kLongest - behind.length) + behind;
   return name;
 }

@@ -1,7 +1,7 @@
 // A new class: of which lesson, how many exercises, how many to each.
 
 import { h, setText } from "../kit/dom";
-import { type Classes, type From, type Lessons, type Next, act } from "./ask";
+import { type Classes, type Again, type Lessons, type Next, act } from "./ask";
 import { field, form } from "./frame";
 import { freeName } from "./free_name";
 import { namesOf } from "./names";
@@ -18,7 +18,7 @@ export interface NewClass {
   /** The form, with a name that is free. */
   shown(): HTMLElement;
   /** Of these alone, with what they are to do next. */
-  fill(group: Next[], from?: From): void;
+  fill(group: Next[], from?: Again): void;
   /** Whoever has the code may join, unless a file is given. */
   anybody(): void;
 }
@@ -37,12 +37,12 @@ export function newClass(
   const practice = h("input", { type: "checkbox" });
   const list = h("input", { type: "file", accept: ".csv,.txt,text/csv,text/plain" });
   let fixed: string[] = []; // who goes on from another class
-  let from: From | undefined; // its exercises begin there; nothing: anew
+  let from: Again | undefined; // its exercises begin there; nothing: anew
   const whose = h("p", { class: "quiet" });
   const anybody = (): void => {
     fixed = [];
     from = undefined;
-    lesson.disabled = practice.disabled = false;
+    lesson.disabled = practice.disabled = crew.disabled = false;
     setText(whose, "");
   };
   const names = async (): Promise<string[]> => {
@@ -54,6 +54,15 @@ export function newClass(
     if (seats > 0) count.value = `${Math.min(64, seats)}`;
   };
   list.onchange = crew.onchange = () => void enough();
+  /** A lesson whose bridge is judged is none for one alone. */
+  const forCrew = (files: Lessons["files"]): void => {
+    const two = files.some((file) => file.name === lesson.value && file.bridge_judged);
+    for (const option of crew.options) option.disabled = two && option.value === "1";
+    if (!two || crew.value !== "1") return;
+    crew.value = "2";
+    void enough();
+  };
+  lesson.onchange = () => void lessons.then(({ files }) => forCrew(files));
   const listed = lessons.then(({ files }) =>
     lesson.append(
       ...files
@@ -61,10 +70,12 @@ export function newClass(
         .map((file) => h("option", { value: file.name }, file.title || file.name)),
     ),
   );
-  const fill = (group: Next[], moment?: From): void => {
+  const fill = (group: Next[], moment?: Again): void => {
     anybody();
-    fixed = group.map((one) => one.name);
+    fixed = moment ? Object.keys(moment.places) : group.map((one) => one.name);
     from = moment;
+    if (from) crew.value = String(from.crew);
+    crew.disabled = !!from;
     name.value = `${today}-${from ? "again" : "next"}`;
     const names = fixed.join(", ");
     setText(
@@ -85,7 +96,10 @@ export function newClass(
     practice.checked = !!from || group.some((one) => one.practice);
     lesson.disabled = practice.disabled = !!from; // the recording says which, and it is no test
     void enough();
-    void listed.then(() => (lesson.value = group[0]?.file ?? lesson.value));
+    void listed.then(() => {
+      lesson.value = group[0]?.file ?? lesson.value;
+      lesson.onchange?.(new Event("change"));
+    });
   };
   const element = h(
     "div",
@@ -111,7 +125,7 @@ export function newClass(
           exercises: count.valueAsNumber,
           crew: Number(crew.value),
           names: await names(),
-          ...(from && { from: { recording: from.recording, position: from.position } }),
+          ...(from && { from: { recording: from.recording, position: from.position }, places: from.places }),
         });
         anybody();
         name.value = today;
