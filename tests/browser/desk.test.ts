@@ -440,3 +440,82 @@ test("the classroom makes, starts, pauses and removes exercises, and tells why i
   await eventually("it is gone", async () => (await tile(id).count()) === 0);
   hadNoProblems(page);
 });
+
+test("who may set marks alone has no other control; his word stands there with his name, its time and its note", async () => {
+  const kNote = "stood well clear of the cable";
+  const tls = { ignoreHTTPSErrors: true }; // the door's authority is nobody's yet
+  const password = "a long password";
+  const marked = new Rig(); // of an exercise with a lesson
+  try {
+    marked.server("L01_let_go_25m");
+    const door = await marked.door(join(recordings, "door"));
+    const at = (path: string) => new URL(path, door.url).href;
+    const owner = await openPage(door.setup, { ...tls, ...wide });
+    await owner.locator("input[name=name]").fill("anna");
+    for (const input of await owner.locator("input[type=password]").all()) await input.fill(password);
+    await owner.getByRole("button", { name: "Set up", exact: true }).click();
+    await owner.waitForURL(/\/class$/);
+    const letIn = { do: "put", name: "jonas", rank: "assessor", password };
+    const status = await owner.evaluate(async (body) => {
+      const headers = { "Content-Type": "application/json" };
+      return (await fetch("/door/people", { method: "POST", headers, body })).status;
+    }, JSON.stringify(letIn));
+    assert.equal(status, 200);
+
+    const assessor = await openPage(at("/login"), { ...tls, ...wide });
+    await assessor.locator("input[name=name]").fill("jonas");
+    await assessor.locator("input[name=password]").fill(password);
+    await assessor.getByRole("button", { name: "Log in", exact: true }).click();
+    await assessor.waitForURL(/\/class$/);
+    await assessor.goto(at(`/instructor?exercise=${marked.partition}`));
+    await eventually("his desk shows the windlass", async () =>
+      (await assessor.locator(".truth tbody tr").first().textContent()).includes("m"),
+    );
+    await owner.goto(at(`/instructor?exercise=${marked.partition}`));
+    const offers = (of: TestPage, name: string) => of.getByRole("button", { name, exact: true }).count();
+    for (const name of ["Pause", "Snapshot", "Restore", "Reset", "End", "Load", "REC", "Debrief", "Mark", "Order"]) {
+      await eventually(`an instructor has ${name}`, () => offers(owner, name));
+      assert.equal(await offers(assessor, name), 0, name);
+    }
+    for (const title of ["port windlass", "helm"]) {
+      await eventually(`an instructor may take over the ${title}`, () => offers(owner, `take over ${title}`));
+      assert.equal(await offers(assessor, `take over ${title}`), 0, title);
+    }
+    assert.ok(!(await assessor.locator(".catalogue").isVisible()), "no fault to be given");
+    await assessor.getByRole("tab", { name: "Environment" }).click();
+    const wind = assessor.getByLabel("Wind, speed, kn", { exact: true });
+    await eventually(
+      "weather is read there",
+      async () => !(await wind.isEditable()) && (await wind.inputValue()) !== "",
+    );
+
+    await assessor.getByRole("tab", { name: "Marks" }).click();
+    const note = assessor.getByLabel("note", { exact: true });
+    await note.waitFor();
+    const room = await note.evaluate((input: HTMLInputElement) => {
+      const ctx = document.createElement("canvas").getContext("2d");
+      const { font, paddingLeft, paddingRight } = getComputedStyle(input);
+      ctx.font = font;
+      const inside = input.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
+      return inside - ctx.measureText(input.placeholder).width;
+    });
+    assert.ok(room >= 0, `what it asks for is cut off by ${-room} px`);
+    await assessor.getByLabel("criterion", { exact: true }).selectOption("stance");
+    await assessor.getByLabel("verdict", { exact: true }).selectOption("VERDICT_MET");
+    await note.fill(kNote);
+    await assessor.getByRole("button", { name: "Set", exact: true }).click();
+    const word = (of: TestPage) => of.locator(".marks li", { hasText: "stance" }).locator(".word");
+    await eventually("it stands, with when", async () =>
+      new RegExp(`^\\d+:\\d\\d jonas: ${kNote}$`).test(await word(assessor).textContent()),
+    );
+    await owner.getByRole("tab", { name: "Marks" }).click();
+    await eventually("for the instructor, too", async () =>
+      (await word(owner).textContent()).endsWith(`jonas: ${kNote}`),
+    );
+    await passesAxe(assessor);
+    hadNoProblems(assessor);
+    hadNoProblems(owner);
+  } finally {
+    await marked.end();
+  }
+});

@@ -15,7 +15,6 @@ export class Ahead {
     {
       class: "chip",
       "aria-pressed": "false",
-      title: t("a minute ahead, dotted in plots and plan: every lever stays where it is and nobody speaks"),
       onclick: () => this.toggle(),
     },
     t("Ahead: if nobody does anything"),
@@ -47,7 +46,11 @@ export class Ahead {
   private update(): void {
     const { link } = this.desk;
     this.button.hidden = this.desk.replay; // there it is what the instructor saw
-    this.button.disabled = !(link.hello?.commands.includes("ExerciseCommand") ?? false);
+    // Who may not switch it reads by it what is dotted.
+    this.button.disabled = !this.desk.may("ExerciseCommand");
+    this.button.title = this.button.disabled
+      ? t("This seat may not order that.")
+      : t("a minute ahead, dotted in plots and plan: every lever stays where it is and nobody speaks");
     setAttribute(this.button, "aria-pressed", `${isOn(link)}`);
     const words = aheadWords(link);
     setText(this.note, words);

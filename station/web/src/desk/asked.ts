@@ -16,7 +16,11 @@ export class AskedBar {
       this.words,
       h(
         "button",
-        { class: "plain", onclick: () => void desk.give("ExerciseCommand", { action: "EXERCISE_START" }) },
+        {
+          class: "plain",
+          "data-gives": "ExerciseCommand",
+          onclick: () => void desk.give("ExerciseCommand", { action: "EXERCISE_START" }),
+        },
         t("Go on without an answer"),
       ),
     );

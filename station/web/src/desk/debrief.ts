@@ -6,7 +6,11 @@ import { t } from "../kit/language";
 
 /** A button that opens the debriefing of the recording that is meant when it is pressed; none: it is disabled. */
 export class DebriefButton {
-  readonly element = h("button", { class: "plain", onclick: () => void this.open() }, t("Debrief"));
+  readonly element = h(
+    "button",
+    { class: "plain", "data-gives": "files", onclick: () => void this.open() },
+    t("Debrief"),
+  );
   private recording_ = "";
 
   constructor(private readonly desk: Desk) {

@@ -1,11 +1,12 @@
 // What the parts of the desk share: the link, orders with their refusals in sight, which windlass is looked at.
 
-import { h, setText } from "../kit/dom";
+import { h, setAttribute, setText } from "../kit/dom";
 import type { Page } from "../kit/page";
 import type { Connection, OrderSample } from "../wire/connection";
 import { RunState, type TopicName } from "../wire/generated";
 import { type TypedFields, asTyped } from "./as_typed";
 import { EventStore } from "./events";
+import { type Gives, mayGive, withheld } from "./may_give";
 import { RecordedPast } from "./recorded_past";
 import { t } from "../kit/language";
 
@@ -45,6 +46,10 @@ export class Desk {
   /** Gives an order; a refusal is shown, its figures as they were typed. Resolves to whether it went out. */
   give(topic: TopicName, sample: OrderSample, typed: TypedFields = () => undefined): Promise<boolean> {
     this.typed = typed;
+    if (this.link.hello && !this.may(topic)) {
+      this.say(t("This seat may not order that.")); // it came by a key: what would be touched is not there
+      return Promise.resolve(false);
+    }
     return this.ask(() => this.link.order(topic, sample));
   }
 
@@ -72,6 +77,16 @@ export class Desk {
       this.link.latest("ReplayStatus") !== undefined ||
       this.link.latest("ExerciseStatus")?.state === RunState.RUN_REPLAY
     );
+  }
+
+  /** Whether this seat may give that now. */
+  may(what: Gives): boolean {
+    return mayGive(this.link.hello, this.replay, what);
+  }
+
+  /** Names on an element what is not given, so that the controls within it that give it are not there. */
+  withholdFrom(element: HTMLElement): void {
+    setAttribute(element, "data-withheld", withheld(this.link.hello, this.replay).join(" "));
   }
 
   /** The windlass whose figures are plotted: 0 port, 1 starboard. */

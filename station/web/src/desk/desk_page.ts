@@ -64,7 +64,7 @@ export function makeDesk(page: Page): void {
   page.topBar.middle.append(
     ...(page.link.byDoor ? [h("a", { class: "plain", href: "/class" }, t("Class"))] : []),
     h("a", { class: "plain", href: pageAddress("/classroom") }, t("Classroom")),
-    h("a", { class: "plain", href: pageAddress("/lessons") }, t("Lessons")),
+    h("a", { class: "plain", href: pageAddress("/lessons"), "data-gives": "files" }, t("Lessons")),
   );
   page.root.classList.add("desk");
   page.root.append(
@@ -98,10 +98,12 @@ export function makeDesk(page: Page): void {
   showsTopic(plots.element, desk.link, "WindlassLoad", () => desk.side);
   const showMode = (): void => {
     page.root.classList.toggle("in-replay", desk.replay);
+    desk.withholdFrom(document.body);
     run.element.hidden = desk.replay;
     replay.element.hidden = !desk.replay;
   };
   desk.link.on("ExerciseStatus", showMode);
   desk.link.on("ReplayStatus", showMode);
+  desk.link.onMessage("hello", showMode);
   showMode();
 }

@@ -87,6 +87,7 @@ const groups: readonly [string, readonly Row[]][] = [
     ],
   ],
 ];
+const gives = { "data-gives": "EnvironmentCommand" };
 const rows = groups.flatMap(([, of]) => of);
 
 /** How the fields of an EnvironmentCommand are typed here. */
@@ -118,9 +119,9 @@ export class EnvironmentPanel {
       h(
         "footer",
         {},
-        h("label", {}, t("within"), this.ramp, h("span", { class: "quiet" }, t("m:ss"))),
-        h("button", { class: "plain", type: "button", onclick: () => this.drop() }, t("Undo")),
-        h("button", { class: "plain primary" }, t("Set")),
+        h("label", gives, t("within"), this.ramp, h("span", { class: "quiet" }, t("m:ss"))),
+        h("button", { class: "plain", type: "button", ...gives, onclick: () => this.drop() }, t("Undo")),
+        h("button", { class: "plain primary", ...gives }, t("Set")),
         this.state,
       ),
     );
@@ -179,7 +180,7 @@ export class EnvironmentPanel {
     const button = h("button", { class: "plain", type: "button", onclick: () => this.askForSea() }, t("By wind"));
     return h(
       "tr",
-      {},
+      gives,
       h("th", { scope: "row" }, t("fetch")),
       h("td", { class: "now" }, button),
       h("td", {}, this.fetch),
@@ -244,9 +245,11 @@ export class EnvironmentPanel {
   private update(): void {
     const state = this.desk.link.latest("EnvironmentState");
     if (!state) return;
+    const readOnly = !this.desk.may("EnvironmentCommand");
     for (const row of rows) {
       setText(this.nows.get(row.field)!, row.show(state.now[row.field]));
       const input = this.inputs.get(row.field)!;
+      if (input.readOnly !== readOnly) input.readOnly = readOnly;
       if (!this.edited.has(row.field) && document.activeElement !== input)
         input.value = row.show(state.after[row.field]);
     }

@@ -24,12 +24,13 @@ interface Row {
 export class FaultPanel {
   readonly element: HTMLElement;
   private readonly given = h("ul", { class: "faults-given", "aria-label": t("faults given"), "aria-live": "polite" });
-  private readonly catalogue = h("div", { class: "catalogue" });
+  private readonly catalogue = h("div", { class: "catalogue", "data-gives": "FaultCommand" });
+  private readonly none = h("p", { class: "quiet", hidden: true }, t("No fault is given."));
   private readonly rows = new Map<string, Row>();
   private open: HTMLElement | undefined;
 
   constructor(private readonly desk: Desk) {
-    this.element = h("div", { class: "faults scroll" }, this.given, this.catalogue);
+    this.element = h("div", { class: "faults scroll" }, this.given, this.none, this.catalogue);
     this.fill();
     showsTopic(this.given, desk.link, "ExerciseTruth");
     desk.link.on("ExerciseTruth", () => this.update());
@@ -88,7 +89,9 @@ export class FaultPanel {
   }
 
   private update(): void {
-    const given = this.desk.link.latest("ExerciseTruth")?.faults ?? [];
+    const truth = this.desk.link.latest("ExerciseTruth");
+    const given = truth?.faults ?? [];
+    this.none.hidden = !truth || given.length > 0 || this.desk.may("FaultCommand"); // who may has the catalogue there
     const there = new Set(given.map(key));
     for (const [name, row] of this.rows)
       if (!there.has(name)) {
@@ -115,7 +118,12 @@ export class FaultPanel {
       bar: h("i", { class: "severity", "aria-hidden": "true" }),
       clear: h(
         "button",
-        { class: "plain", "aria-label": t("clear {name}", { name }), onclick: () => this.clear(fault) },
+        {
+          class: "plain",
+          "data-gives": "FaultCommand",
+          "aria-label": t("clear {name}", { name }),
+          onclick: () => this.clear(fault),
+        },
         t("Clear|a fault"),
       ),
     };

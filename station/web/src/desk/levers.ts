@@ -123,6 +123,7 @@ abstract class Card {
   ) {
     this.take = holdButton(t("Take over"), 0.6, () => this.takeOver(), {
       class: "plain",
+      "data-gives": what === "helm" ? "InstructorHelmCommand" : "InstructorWindlassCommand",
       "aria-label": t("take over {title}", { title }),
     });
     this.back.setAttribute("aria-label", t("hand back {title}", { title }));

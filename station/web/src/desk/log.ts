@@ -74,6 +74,7 @@ export class LogPanel {
 
   private row(event: Logged): HTMLElement {
     const severity = saidOf("EventSeverity", event.severity);
+    const goes = this.desk.may("ExerciseCommand") || this.desk.may("ReplayCommand");
     return h(
       "li",
       {
@@ -84,7 +85,11 @@ export class LogPanel {
       },
       h(
         "button",
-        { class: "time", title: t("to this moment"), onclick: () => this.pick(event.time) },
+        {
+          class: "time",
+          ...(goes ? { title: t("to this moment") } : { disabled: true }),
+          onclick: () => this.pick(event.time),
+        },
         clock(event.time),
       ),
       h("span", { class: "severity" }, event.severity === EventSeverity.EVENT_INFO ? "" : severity),

@@ -14,6 +14,7 @@ import {
   CriterionState,
   LessonEnding,
 } from "../wire/generated";
+import { AssessorsWords, type Word } from "./assessors_words";
 import type { Desk } from "./desk";
 import { t, translated } from "../kit/language";
 
@@ -24,6 +25,11 @@ function verdictWords({ counts, counted, met }: Criterion): string {
   if (!counts) return verdictSaid(AssessorVerdict.VERDICT_NOT_APPLICABLE);
   if (!met && counted > 0) return t("in part");
   return verdictSaid(met ? AssessorVerdict.VERDICT_MET : AssessorVerdict.VERDICT_NOT_MET);
+}
+
+/** "2:05 anna: stood well clear of the cable". */
+function wordWords({ time, earlier, by, note }: Word): string {
+  return `${earlier ? t("before {time}", { time: clock(time) }) : clock(time)} ${by}: ${note}`;
 }
 
 const kNoteMin = 10; // characters, as the server asks for
@@ -44,12 +50,13 @@ export class MarksPanel {
     minLength: kNoteMin,
     maxLength: 255,
     required: true,
-    class: "words",
+    class: "note",
   });
   private readonly form = h(
     "form",
     {
       class: "order-form",
+      "data-gives": "AssessmentCommand",
       "aria-label": t("assessor's word"),
       hidden: true,
       onsubmit: (event: Event) => this.say(event),
@@ -59,12 +66,23 @@ export class MarksPanel {
     this.note,
     h("button", { class: "plain primary" }, t("Set")),
   );
+  private readonly words = new AssessorsWords();
   private run = -1;
 
   constructor(private readonly desk: Desk) {
     this.element = h("div", { class: "talk-panel" }, this.head, this.list, this.form);
     showsTopic(this.element, desk.link, "ExerciseStatus"); // Assessment itself ends with the lesson
-    desk.link.on("Assessment", (assessment) => this.show(assessment));
+    desk.link.on("Assessment", (assessment) => {
+      const now = desk.link.latest("ExerciseStatus")?.time ?? assessment.time; // the marks' own ends with the lesson
+      this.words.take(assessment, now, desk.replay);
+      this.show(assessment);
+    });
+    // Where the seat hears it; the one that this page gives it knows anyhow.
+    desk.link.on("AssessmentCommand", ({ origin, criterion, note }) =>
+      this.words.give({ by: origin.source, criterion, note }),
+    );
+    desk.link.onState((state) => state === "lost" && this.words.miss());
+    desk.link.onAnotherServer(() => this.words.miss());
     for (const measure of measures)
       measure.onChoice(() => {
         const assessment = desk.link.latest("Assessment");
@@ -98,7 +116,7 @@ export class MarksPanel {
     const practice = assessment.practice ? `; ${practiceSaid(assessment)}` : "";
     setText(this.head, `${clock(assessment.time)}  ${points}${computed}${end}${abort}${practice}`);
     this.list.replaceChildren(...assessment.criteria.map((criterion) => this.row(criterion)));
-    this.form.hidden = this.desk.replay;
+    this.form.hidden = false;
     const names = assessment.criteria.map((criterion) => criterion.code);
     if (names.join() !== [...this.criterion.options].map((option) => option.value).join())
       this.criterion.replaceChildren(...names.map((name) => h("option", { value: name }, name)));
@@ -108,16 +126,17 @@ export class MarksPanel {
     const of = (milli: number): string =>
       t("{points} of {most}", { points: figure((criterion.weight * milli) / 1000, 1), most: criterion.weight });
     const state = stateSaid(criterion);
-    const word = criterion.state === CriterionState.CRITERION_OVERRIDDEN;
-    const told = word
-      ? t("{state}: {verdict}; computed {points}", {
-          state,
-          verdict: verdictWords(criterion),
-          points: of(criterion.milli),
-        })
-      : state;
+    const rubric = criterion.kind === CriterionKind.CRITERION_RUBRIC;
+    const set = criterion.state === CriterionState.CRITERION_OVERRIDDEN;
+    const word = this.words.of(criterion);
+    const verdict = set ? verdictWords(criterion) : "";
+    const told = !set
+      ? state
+      : rubric // of which nothing is computed
+        ? `${state}: ${verdict}`
+        : t("{state}: {verdict}; computed {points}", { state, verdict, points: of(criterion.milli) });
     // What an assessor judges stands there to be read while he looks.
-    const about = criterion.kind === CriterionKind.CRITERION_RUBRIC ? criterion.text : criterion.reason;
+    const about = rubric ? criterion.text : (word?.computed ?? criterion.reason);
     return h(
       "li",
       { "data-state": CriterionState[criterion.state] },
@@ -130,17 +149,17 @@ export class MarksPanel {
           : t("{points} of {most}", { points: "\u2013", most: criterion.weight }),
       ),
       h("span", { class: "quiet" }, `${told}${about ? `: ${inChosenUnits(about)}` : ""}`),
+      word && h("span", { class: "word" }, wordWords(word)),
     );
   }
 
   private async say(event: Event): Promise<void> {
     event.preventDefault();
-    const sent = await this.desk.give("AssessmentCommand", {
-      criterion: this.criterion.value,
-      verdict: this.verdict.value,
-      milli: 0,
-      note: this.note.value.trim(),
-    });
+    const criterion = this.criterion.value;
+    const note = this.note.value.trim();
+    const by = this.desk.link.hello?.name ?? "";
+    this.words.give({ by, criterion, note });
+    const sent = await this.desk.give("AssessmentCommand", { criterion, verdict: this.verdict.value, milli: 0, note });
     if (sent) this.note.value = "";
   }
 }

@@ -26,6 +26,7 @@ export class ReplayBar {
 
   constructor(private readonly desk: Desk) {
     this.debrief = new DebriefButton(desk);
+    const gives = { "data-gives": "ReplayCommand" };
     for (const speed of speeds) this.speed.append(h("option", { value: `${speed}` }, `x${writtenFigure(`${speed}`)}`));
     const jump = (text: string, title: string, act: () => void): HTMLButtonElement =>
       h("button", { class: "plain", title, "aria-label": title, onclick: act }, text);
@@ -34,7 +35,7 @@ export class ReplayBar {
       { class: "run-bar replay-bar", role: "toolbar", "aria-label": t("replay") },
       h(
         "span",
-        { class: "group" },
+        { class: "group", ...gives },
         jump("[\u25c2", t("previous event, key ["), () => this.toEvent(-1)),
         jump("\u221210 s", t("back 10 s, Shift and left arrow"), () => this.step(-10)),
         jump("\u22121 s", t("back 1 s, left arrow"), () => this.step(-1)),
@@ -43,12 +44,12 @@ export class ReplayBar {
         jump("+10 s", t("on 10 s, Shift and right arrow"), () => this.step(10)),
         jump("\u25b8]", t("next event, key ]"), () => this.toEvent(1)),
       ),
-      h("span", { class: "group" }, this.speed, this.loop),
+      h("span", { class: "group", ...gives }, this.speed, this.loop),
       this.place,
       this.debrief.element,
       h(
         "span",
-        { class: "group go-on" },
+        { class: "group go-on", "data-gives": "RestoreCommand" },
         h("span", { class: "quiet" }, t("Continue live from here in")),
         this.target,
         holdButton(t("Continue live"), 1, () => void this.continueLive(), { class: "plain" }),
@@ -132,7 +133,7 @@ export class ReplayBar {
 
   private key(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
-    if (!this.desk.replay || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (!this.desk.replay || !this.desk.may("ReplayCommand") || event.ctrlKey || event.altKey || event.metaKey) return;
     if (target.closest("input, select, textarea, [role=slider], [role=tab]")) return;
     if (event.key === " " && target.closest("button")) return; // it presses the button
     const acts: Record<string, () => void> = {

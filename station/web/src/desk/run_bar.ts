@@ -32,12 +32,13 @@ export class RunBar {
   });
   private readonly record = h(
     "button",
-    { class: "plain rec", "aria-pressed": "false", onclick: () => this.toggleRecord() },
+    { class: "plain rec", "aria-pressed": "false", "data-gives": "files", onclick: () => this.toggleRecord() },
     t("REC"),
   );
   private readonly debrief: DebriefButton;
 
   constructor(private readonly desk: Desk) {
+    const gives = { "data-gives": "ExerciseCommand" };
     this.debrief = new DebriefButton(desk);
     this.restore = new Restore(desk);
     const button = (text: string, action: string, title: string): HTMLButtonElement =>
@@ -45,7 +46,7 @@ export class RunBar {
     for (const scale of scales) this.scale.append(h("option", { value: `${scale}` }, `x${writtenFigure(`${scale}`)}`));
     const markNow = h(
       "form",
-      { class: "row", onsubmit: (e: Event) => this.bookmark(e) },
+      { class: "row", ...gives, onsubmit: (e: Event) => this.bookmark(e) },
       this.word,
       h("button", { class: "plain", title: "F4" }, t("Mark")),
     );
@@ -53,22 +54,22 @@ export class RunBar {
       "div",
       { class: "run-bar", role: "toolbar", "aria-label": t("exercise control") },
       this.exercise,
-      h("span", { class: "group" }, this.start, this.pause, this.scale),
+      h("span", { class: "group", ...gives }, this.start, this.pause, this.scale),
       h(
         "span",
-        { class: "group" },
+        { class: "group", ...gives },
         button(t("Snapshot"), "EXERCISE_SNAPSHOT", t("a checkpoint now, beside those every 10 s")),
         this.restore.element,
       ),
       h(
         "span",
-        { class: "group" },
+        { class: "group", ...gives },
         holdButton(t("Reset"), 0.8, () => void this.run("EXERCISE_RESET"), { class: "plain" }),
         holdButton(t("End"), 0.8, () => void this.run("EXERCISE_STOP"), { class: "plain" }),
       ),
       h(
         "span",
-        { class: "group load" },
+        { class: "group load", ...gives },
         this.file,
         holdButton(t("Load"), 0.8, () => this.load(), { class: "plain" }),
       ),
@@ -78,7 +79,7 @@ export class RunBar {
     desk.link.on("ExerciseStatus", () => this.update());
     desk.link.onMessage("hello", () => this.update());
     addEventListener("keydown", (event) => {
-      if (event.key !== "F4" || event.altKey || event.ctrlKey) return;
+      if (event.key !== "F4" || event.altKey || event.ctrlKey || !desk.may("ExerciseCommand")) return;
       event.preventDefault();
       this.word.focus();
     });

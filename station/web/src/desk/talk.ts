@@ -53,7 +53,12 @@ export class TalkPanel {
     this.askFigure();
     const form = h(
       "form",
-      { class: "order-form", "aria-label": t("order to the forecastle"), onsubmit: (e: Event) => this.give(e) },
+      {
+        class: "order-form",
+        "data-gives": "BridgeOrderCommand",
+        "aria-label": t("order to the forecastle"),
+        onsubmit: (e: Event) => this.give(e),
+      },
       this.side,
       this.code,
       this.value,

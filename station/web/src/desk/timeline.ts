@@ -91,6 +91,7 @@ export class Timeline {
     max: "1",
     step: "0.1",
     class: "scrubber",
+    "data-gives": "ReplayCommand",
     "aria-label": t("position in the recording, s"),
   });
   private readonly alerts = new Map<string, AlertMark>();
