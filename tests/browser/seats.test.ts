@@ -266,7 +266,7 @@ test("when the exercise is over the briefing says so", async () => {
   await rig.say("stop");
   await eventually("it is over", () => deck.locator('.top-bar .state[data-state="RUN_FINISHED"]').isVisible());
   const marks = deck.getByRole("dialog", { name: "what came of it" });
-  await marks.getByText("It ended before it was done").waitFor(); // the lesson ends with its exercise
+  await marks.getByText("It was ended before its lesson was done").waitFor(); // the lesson ends with its exercise
   await marks.getByRole("button", { name: "Close" }).click();
   await deck.getByRole("button", { name: "Briefing" }).click();
   await eventually("it says so", () => briefing(deck).getByText("The exercise is over.").isVisible());

@@ -10,6 +10,7 @@ import { h, setAttribute } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { type ExercisePage, everyFrame, everySecond, openExercisePage } from "../kit/page";
+import { otherSeat } from "../kit/other_seat";
 import { OwnMarks } from "../kit/own_marks";
 import { Practice } from "../kit/practice";
 import { Speech } from "../kit/speech";
@@ -58,6 +59,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
 
   page.topBar.middle.append(
     bar.element,
+    otherSeat(link, "forecastle"),
     speech.button,
     briefing.button,
     marks.button,

@@ -1,9 +1,11 @@
-// Telegraph, wheel and thruster levers in this page's hand: as found at first, then as the hand moves them.
+// Telegraph, wheel and thruster levers in this page's hand: as found at first, by their orders where these are known,
+// then as the hand moves them.
 
 import { type Authority, helmAuthority } from "../kit/authority";
 import type { Connection, HelmLevers } from "../wire/connection";
 import type { HelmCommand } from "../wire/generated";
 import { t } from "../kit/language";
+import { LastHelm } from "./last_helm";
 
 /** Telegraph orders, share of full thrust; tuned to what the model's engine makes of them. */
 export const kTelegraph = [-1, -0.7, -0.4, -0.2, 0, 0.2, 0.4, 0.7, 1] as const;
@@ -22,6 +24,12 @@ export const kTelegraphWords: readonly string[] = [
 const kTakeOver = 600; // ms, in which a hand that has just moved a lever may not be heard yet
 const kBetweenSends = 40; // ms: well below what the station takes
 
+const leversOf = ({ engine, rudder, bow_thruster, stern_thruster }: HelmLevers): HelmLevers => ({
+  engine,
+  rudder,
+  bow_thruster,
+  stern_thruster,
+});
 const clamp = (value: number, most: number): number => Math.min(most, Math.max(-most, value));
 
 /** The telegraph's detent nearest to an order, 0..8. */
@@ -34,14 +42,11 @@ export function detentOf(engine: number): number {
 }
 
 export class HelmHand {
-  /** Thruster levers spring back to zero when let go, or stay. */
-  thrustersSpring = true;
+  private readonly last: LastHelm;
   private mine: HelmLevers | undefined;
   private changed = false;
   private lastSent = -Infinity;
   private lastPut = -Infinity;
-  private run = -1;
-  private runSince = 0; // ms of performance.now(): what was ordered before is of another run
 
   /** rudderMax: rad, the ship's. */
   constructor(
@@ -55,11 +60,16 @@ export class HelmHand {
       this.mine = undefined;
       link.letGo("helm");
     });
-    link.on("ExerciseStatus", ({ run }) => {
-      if (run === this.run) return;
-      this.run = run;
-      this.runSince = performance.now();
-    });
+    this.last = new LastHelm(link);
+    for (const topic of ["HelmCommand", "InstructorHelmCommand"] as const) link.on(topic, () => this.hearOthers());
+  }
+
+  /** Thruster levers spring back to zero when let go, or stay. */
+  get thrustersSpring(): boolean {
+    return this.last.springs;
+  }
+  set thrustersSpring(springs: boolean) {
+    this.last.springs = springs;
   }
 
   authority(): Authority<HelmCommand> {
@@ -77,7 +87,10 @@ export class HelmHand {
     return commands.includes("HelmCommand") || commands.includes("InstructorHelmCommand");
   }
 
-  /** Set points: those that count now; of nobody, what the ship does. Undefined while nothing has been heard. */
+  /**
+   * Set points: those that count now; of nobody's helm, those that counted last, or where this page does not know them,
+   * what the ship does. Undefined while nothing has been heard.
+   */
   levers(): HelmLevers | undefined {
     return this.mine ?? this.found();
   }
@@ -146,16 +159,17 @@ export class HelmHand {
     this.lastSent = now;
     this.changed = false;
     this.link.holdHelm({ ...levers });
+    this.last.ordered(levers);
+  }
+
+  /** What others order is what stands when they leave the helm. */
+  private hearOthers(): void {
+    const { owner, command } = this.authority();
+    if (command && owner !== "mine") this.last.ordered(leversOf(command));
   }
 
   private found(): HelmLevers | undefined {
-    const track = this.link.track("HelmCommand");
-    const last = track.at(-1);
-    // Levers that nobody holds stay where they were left. A single sample may be an old one that the station kept.
-    const left = last && track.length > 1 && last.at > this.runSince ? last.sample : undefined;
-    const from = this.authority().command ?? left ?? this.link.latest("BridgeView");
-    if (!from) return undefined;
-    const { engine, rudder, bow_thruster, stern_thruster } = from;
-    return { engine, rudder, bow_thruster, stern_thruster };
+    const from = this.authority().command ?? this.last.levers() ?? this.link.latest("BridgeView");
+    return from && leversOf(from);
   }
 }

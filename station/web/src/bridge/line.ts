@@ -103,6 +103,11 @@ export class Line {
       .sort((a, b) => a.number - b.number);
   }
 
+  /** Lines of the log by which reports were heard, of this branch. */
+  heard(): readonly SeatEvent[] {
+    return this.reports.filter(({ left }) => !left);
+  }
+
   /** All that was said and noticed, the newest first; last what a restore has left. */
   log(): Said[] {
     const said: Said[] = [

@@ -3,7 +3,8 @@
 import { kLeft } from "../kit/branch";
 import { h, setAttribute, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
-import { orderMayBeBare, orderUnit } from "../kit/orders";
+import { canBeCancelled, isAnswered } from "../kit/order_done";
+import { isQuestion, orderMayBeBare, orderUnit } from "../kit/orders";
 import { clock } from "../kit/units";
 import { capital, figureText, orderRows, orderText } from "../kit/words";
 import type { Connection } from "../wire/connection";
@@ -208,10 +209,9 @@ export class OrderPanel {
     this.told = news ?? "";
   }
 
-  private row(said: Said, canCancel: boolean): HTMLElement {
+  private row(said: Said, granted: boolean): HTMLElement {
     const { order } = said;
-    const cancellable =
-      order && canCancel && order.state !== BridgeOrderState.ORDER_CANCELLED && order.code !== C.BRIDGE_ORDER_CANCEL;
+    const cancellable = order && granted && canBeCancelled(order, this.line.orders(), this.line.heard());
     return h(
       "li",
       {
@@ -251,6 +251,7 @@ export class OrderPanel {
     const number = t("no. {number}", { number: order.number });
     const words = `${number} ${stateWords(order, this.line.orders())}`;
     if (order.state !== BridgeOrderState.ORDER_GIVEN) return words;
+    if (isQuestion(order) && isAnswered(order, this.line.heard())) return `${number} \u2713 ${t("answered")}`;
     if (order.repeat_by === 0) return number;
     return t("{order}, by {time}", { order: words, time: clock(order.repeat_by) });
   }

@@ -23,16 +23,15 @@ export class Thrusters {
       this.bow.element,
       this.stern.element,
     );
-    setAttribute(this.springs, "aria-pressed", `${helm.thrustersSpring}`);
   }
 
   update(view: BridgeView | undefined): void {
     this.bow.update(view?.bow_thruster);
     this.stern.update(view?.stern_thruster);
+    setAttribute(this.springs, "aria-pressed", `${this.helm.thrustersSpring}`);
   }
 
   private toggle(): void {
     this.helm.thrustersSpring = !this.helm.thrustersSpring;
-    setAttribute(this.springs, "aria-pressed", `${this.helm.thrustersSpring}`);
   }
 }

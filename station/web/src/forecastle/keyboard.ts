@@ -7,11 +7,11 @@ export interface Hands {
   wheel(share: number): void;
   /** By so many turns. */
   turn(turns: number): void;
-  /** A key of the hand-wheel is down (1 on, -1 off) or up (0). */
-  key(way: number, fine: boolean): void;
+  /** A key of the hand-wheel is down (1 on, -1 off) or up (0). at, here and below: when, ms; else now. */
+  key(way: number, fine: boolean, at?: number): void;
   spin(to: number): void;
-  push(to: number): void;
-  release(): void;
+  push(to: number, at?: number): void;
+  release(at?: number): void;
   zero(): void;
   clutch(held: boolean): void;
   stopper(held: boolean): void;
@@ -52,16 +52,16 @@ export function listenToKeys(hands: Hands): void {
   const held = new Set<string>();
   const pushed = (): boolean => held.has("ArrowLeft") || held.has("ArrowRight");
   const turns = (): boolean => held.has("ArrowUp") || held.has("ArrowDown");
-  const levers = (fine: boolean): void => {
+  const levers = (fine: boolean, at: number): void => {
     const up = held.has("ArrowUp");
     const down = held.has("ArrowDown");
-    hands.key(up === down ? 0 : up ? 1 : -1, fine);
+    hands.key(up === down ? 0 : up ? 1 : -1, fine, at);
   };
-  const push = (shift: boolean): void => {
+  const push = (shift: boolean, at: number): void => {
     const right = held.has("ArrowRight");
     const left = held.has("ArrowLeft");
-    if (right === left) hands.release();
-    else hands.push((right ? 1 : -1) * (shift ? 0.1 : 1));
+    if (right === left) hands.release(at);
+    else hands.push((right ? 1 : -1) * (shift ? 0.1 : 1), at);
   };
   const holds: { [key: string]: (held: boolean) => void } = {
     c: (down) => hands.clutch(down),
@@ -88,15 +88,16 @@ export function listenToKeys(hands: Hands): void {
   const key = (event: KeyboardEvent): string => (event.key.length === 1 ? event.key.toLowerCase() : event.key);
   addEventListener("keydown", (event) => {
     const name = key(event);
-    if (name === "Shift" && pushed()) push(true);
-    if (name === "Shift" && turns()) levers(true);
+    const at = event.timeStamp; // not when it is heard: a page that is slow hears late of a key that was let go
+    if (name === "Shift" && pushed()) push(true, at);
+    if (name === "Shift" && turns()) levers(true, at);
     if (typing(event.target) || event.ctrlKey || event.altKey || event.metaKey) return;
     if (name.startsWith("Arrow")) {
       event.preventDefault();
       if (held.has(name)) return;
       held.add(name);
-      if (name === "ArrowUp" || name === "ArrowDown") levers(event.shiftKey);
-      else push(event.shiftKey);
+      if (name === "ArrowUp" || name === "ArrowDown") levers(event.shiftKey, at);
+      else push(event.shiftKey, at);
     } else if (holds[name]) {
       if (held.has(name)) return;
       held.add(name);
@@ -108,11 +109,12 @@ export function listenToKeys(hands: Hands): void {
   });
   addEventListener("keyup", (event) => {
     const name = key(event);
-    if (name === "Shift" && pushed()) push(false);
-    if (name === "Shift" && turns()) levers(false);
+    const at = event.timeStamp;
+    if (name === "Shift" && pushed()) push(false, at);
+    if (name === "Shift" && turns()) levers(false, at);
     if (!held.delete(name)) return;
-    if (name === "ArrowUp" || name === "ArrowDown") levers(event.shiftKey);
-    else if (name.startsWith("Arrow")) push(event.shiftKey);
+    if (name === "ArrowUp" || name === "ArrowDown") levers(event.shiftKey, at);
+    else if (name.startsWith("Arrow")) push(event.shiftKey, at);
     else holds[name]?.(false);
   });
   const leave = (): void => {

@@ -16,6 +16,8 @@ const kTap = 10 / 360; // turns by a key that is only tapped: some taps from one
 const kHeld = 300; // ms that a key is down before it is more than a tap
 const kRunUp = 700; // ms after that, until the hand-wheel turns as fast as a hand can
 const kFirst = 0.15; // of that rate, with which it begins
+const kStep = 20; // ms, in which what moves goes on, however seldom a frame is drawn
+const kLongest = 2000; // ms that are made up for at once: a page that stood for longer was asleep
 
 /** Of a hand that goes finely, by Shift: share of what it does else. */
 export const kFine = 0.2;
@@ -32,7 +34,7 @@ export class LeverHand {
   private speedHeld = false;
   private speedLatched = false;
   private sprungFrom = 0;
-  private lastTick = performance.now();
+  private moved = performance.now(); // ms, up to when what moves has moved
   private lastSent = -Infinity;
   private changed = false;
 
@@ -64,6 +66,7 @@ export class LeverHand {
 
   /** Turns the hand-wheel on by so many turns (negative: off); what is faster than a hand can is lost. */
   turnWheel(turns: number): void {
+    this.moveOn();
     const levers = this.take();
     if (!levers) return;
     const aim = (this.wheelAim ?? levers.brake) + turns / kWheelTurns;
@@ -72,12 +75,14 @@ export class LeverHand {
 
   /** Spins the hand-wheel to 0, open, or 1, hard on. */
   spinWheel(to: number): void {
+    this.moveOn();
     if (this.take()) this.wheelAim = clamp(to, 0, 1);
   }
 
   /** Turns the hand-wheel at a share -1..1 of its rate until told 0. */
   runWheel(share: number): void {
     if (share === this.wheelRun) return;
+    this.moveOn();
     const levers = share !== 0 ? this.take() : this.mine;
     if (levers && share !== 0) this.wheelAim = undefined;
     this.wheelRun = levers ? share : 0;
@@ -85,9 +90,11 @@ export class LeverHand {
 
   /**
    * A key that turns the hand-wheel goes down (way 1: on, -1: off) or up (0). A tap turns it by a fixed small angle;
-   * held, it runs, faster and faster up to a hand's rate. fine: all that by a fifth.
+   * held, it runs, faster and faster up to a hand's rate. fine: all that by a fifth. at: when, ms: a page that is slow
+   * hears of its keys late.
    */
-  pressWheel(way: number, fine = false): void {
+  pressWheel(way: number, fine = false, at = performance.now()): void {
+    this.moveOn(at);
     const share = fine ? kFine : 1;
     if (way === this.key.way) {
       this.key.share = share; // Shift came or went
@@ -95,17 +102,19 @@ export class LeverHand {
     }
     const levers = way !== 0 ? this.take() : undefined;
     if (levers) this.wheelAim = clamp((this.wheelAim ?? levers.brake) + (way * share * kTap) / kWheelTurns, 0, 1);
-    this.key = { way: levers ? way : 0, share, since: performance.now() };
+    this.key = { way: levers ? way : 0, share, since: at };
   }
 
   /** Stops a hand-wheel that spins. */
   stopWheel(): void {
+    this.moveOn();
     this.wheelAim = undefined;
     this.wheelRun = this.key.way = 0;
   }
 
   /** Puts the speed lever there at once, as a finger does: -1 full lower .. 1 full heave. */
   moveSpeed(to: number): void {
+    this.moveOn();
     const levers = this.take();
     if (!levers) return;
     this.speedHeld = true;
@@ -114,8 +123,9 @@ export class LeverHand {
     this.put({ speed_lever: this.speedAim });
   }
 
-  /** Pushes the speed lever there, as a key does. */
-  pushSpeed(to: number): void {
+  /** Pushes the speed lever there, as a key does. at: as of pressWheel(). */
+  pushSpeed(to: number, at = performance.now()): void {
+    this.moveOn(at);
     if (!this.take()) return;
     this.speedHeld = true;
     this.speedLatched = false;
@@ -133,9 +143,10 @@ export class LeverHand {
     if (!this.speedLatched) this.releaseSpeed();
   }
 
-  /** The hand leaves the speed lever: it springs back. */
-  releaseSpeed(): void {
+  /** The hand leaves the speed lever: it springs back. at: as of pressWheel(). */
+  releaseSpeed(at = performance.now()): void {
     if (!this.speedHeld) return;
+    this.moveOn(at);
     this.speedHeld = this.speedLatched = false;
     this.speedAim = 0;
     this.sprungFrom = Math.abs(this.mine?.speed_lever ?? 0);
@@ -143,6 +154,7 @@ export class LeverHand {
 
   /** The hand is off what it holds: lost focus, another side in hand. A wheel that was spun goes on to its end. */
   release(): void {
+    this.moveOn();
     this.wheelRun = this.key.way = 0;
     this.releaseSpeed();
   }
@@ -168,23 +180,32 @@ export class LeverHand {
 
   /** Moves what moves; once a frame. now: ms of performance.now(). */
   tick(now: number): void {
-    const dt = Math.min(0.1, (now - this.lastTick) / 1000);
-    this.lastTick = now;
-    if (!this.mine) return;
     const { owner, command } = this.authority();
-    if (owner === "instructor" && command) this.follow(command);
-    else this.move(this.mine, dt);
-    if (this.changed && now - this.lastSent >= kBetweenSends) this.send(now);
+    if (this.mine && owner === "instructor" && command) this.follow(command);
+    this.moveOn(now);
+    if (this.mine && this.changed && now - this.lastSent >= kBetweenSends) this.send(now);
   }
 
-  private move(levers: WindlassLevers, dt: number): void {
+  /** Moves what moves up to a moment, ms: by the clock, and before what moves it changes. */
+  private moveOn(to = performance.now()): void {
+    let at = Math.max(this.moved, to - kLongest);
+    this.moved = Math.max(this.moved, to);
+    while (this.mine && at < to) {
+      const step = Math.min(kStep, to - at);
+      at += step;
+      this.move(this.mine, step / 1000, at);
+    }
+  }
+
+  /** By dt s, until now (ms). */
+  private move(levers: WindlassLevers, dt: number, now: number): void {
     const before = { ...levers };
     const most = dt / Math.max(0.1, this.travelTime());
     if (this.wheelAim !== undefined) {
       levers.brake = towards(levers.brake, this.wheelAim, most);
       if (levers.brake === this.wheelAim) this.wheelAim = undefined;
     }
-    const run = this.wheelRun + this.keyRun();
+    const run = this.wheelRun + this.keyRun(now);
     if (run !== 0 && this.wheelAim === undefined) levers.brake = clamp(levers.brake + clamp(run, -1, 1) * most, 0, 1);
     const spring = (Math.max(this.sprungFrom, 0.1) * dt * 1000) / kSpringTime;
     levers.speed_lever = towards(levers.speed_lever, this.speedAim, this.speedHeld ? kPushRate * dt : spring);
@@ -192,9 +213,9 @@ export class LeverHand {
   }
 
   /** -1..1 of the wheel's rate, by a key that is held. */
-  private keyRun(): number {
+  private keyRun(now: number): number {
     const { way, share, since } = this.key;
-    const held = this.lastTick - since - kHeld;
+    const held = now - since - kHeld;
     return way === 0 || held < 0 ? 0 : way * share * Math.min(1, kFirst + ((1 - kFirst) * held) / kRunUp);
   }
 

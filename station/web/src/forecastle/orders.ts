@@ -1,8 +1,10 @@
 // What the bridge orders, and the answer: an order is repeated back, with its figure as the trainee understood it.
 
 import { Refused, type Connection } from "../wire/connection";
-import { type BridgeOrder, BridgeOrderCode, BridgeOrderState } from "../wire/generated";
+import { type BridgeOrder, BridgeOrderCode, BridgeOrderState, type SeatEvent } from "../wire/generated";
+import { begins, leave } from "../kit/branch";
 import { h, setText } from "../kit/dom";
+import { isAnswered } from "../kit/order_done";
 import { isOpen, isQuestion, orderMayBeBare, orderUnit, repeatState, written } from "../kit/orders";
 import { clock, unitWritten } from "../kit/units";
 import { figureField, figurePad } from "./pad";
@@ -10,11 +12,15 @@ import type { Popover } from "../kit/popover";
 import { t, translated } from "../kit/language";
 
 const kShown = 30;
+const kReports = 200;
 
 /** The newest first; those of an earlier run do not count any more. */
 function newestFirst(orders: BridgeOrder[], run: number | undefined): BridgeOrder[] {
   return orders.filter((order) => run === undefined || order.run === run).sort((a, b) => b.number - a.number);
 }
+
+/** A report in the log. */
+type Made = SeatEvent & { left: boolean };
 
 const isToRepeat = (order: BridgeOrder): boolean => isOpen(order) && !isQuestion(order);
 
@@ -25,6 +31,7 @@ export class Orders {
   private readonly announce = h("div", { class: "sr-only", role: "status", "aria-live": "polite" });
   private readonly listeners = new Set<(order: BridgeOrder) => void>();
   private heard = 0; // number of the newest that was announced
+  private reports: Made[] = []; // by which questions are answered
 
   constructor(
     private readonly link: Connection,
@@ -40,7 +47,11 @@ export class Orders {
     );
     link.on("BridgeOrder", () => this.update());
     link.on("ExerciseStatus", () => this.orders().length !== this.list.childElementCount && this.update());
-    link.onState(() => this.update());
+    link.on("SeatEvent", (event) => this.hear(event));
+    link.onState((state) => {
+      if (state === "open") this.reports = []; // all of it comes again
+      this.update();
+    });
   }
 
   /** Calls back for each new order: for the page's sound. */
@@ -54,6 +65,13 @@ export class Orders {
     const button = order && this.list.querySelector<HTMLButtonElement>(`[data-number="${order.number}"] button`);
     if (button) button.click();
     else this.tell(t("no order waits to be repeated"));
+  }
+
+  private hear(event: SeatEvent): void {
+    if (begins(event)) leave(this.reports, event);
+    else if (event.code === "report.made") this.reports = [...this.reports, { ...event, left: false }].slice(-kReports);
+    else return;
+    if (this.orders().some((order) => isOpen(order) && isQuestion(order))) this.update();
   }
 
   private orders(): BridgeOrder[] {
@@ -78,7 +96,14 @@ export class Orders {
 
   private row(order: BridgeOrder): HTMLElement {
     const open = isToRepeat(order);
-    const asked = isOpen(order) && isQuestion(order) && this.orders()[0]?.number === order.number;
+    const asked = isOpen(order) && isQuestion(order);
+    const answered =
+      asked &&
+      isAnswered(
+        order,
+        this.reports.filter(({ left }) => !left),
+      );
+    const waits = asked && !answered && this.orders()[0]?.number === order.number;
     const button: HTMLButtonElement | false =
       open &&
       h(
@@ -92,7 +117,11 @@ export class Orders {
       { "data-number": order.number, "data-state": BridgeOrderState[order.state] },
       h("time", {}, clock(order.time)),
       h("span", { class: "spoken", lang: "en" }, written(order)),
-      h("span", { class: "quiet" }, asked ? t("answer by a report") : repeatState(order, this.orders())),
+      h(
+        "span",
+        { class: "quiet" },
+        answered ? t("answered") : waits ? t("answer by a report") : repeatState(order, this.orders()),
+      ),
       button,
     );
   }

@@ -8,6 +8,7 @@ import { HintLine } from "../kit/instructions";
 import { nextPalette } from "../kit/palette";
 import { everyFrame, openExercisePage } from "../kit/page";
 import { kByHand } from "../kit/orders";
+import { otherSeat } from "../kit/other_seat";
 import { OwnMarks } from "../kit/own_marks";
 import { Speech } from "../kit/speech";
 import { AlertPriority } from "../wire/generated";
@@ -67,7 +68,7 @@ export function openForecastle(): void {
     () => firstVisit.open(),
   );
   const helpButton = h("button", { class: "plain", "aria-label": t("help: keys"), onclick: () => help.toggle() }, "?");
-  page.topBar.middle.append(speech.button, briefing.button, marks.button, helpButton);
+  page.topBar.middle.append(otherSeat(link, "bridge"), speech.button, briefing.button, marks.button, helpButton);
   page.root.className = "forecastle";
   page.root.append(
     firstVisit.element,
@@ -112,10 +113,10 @@ export function openForecastle(): void {
     return {
       wheel: (share: number) => stand.hand.runWheel(share),
       turn: (turns: number) => stand.hand.turnWheel(turns),
-      key: (way: number, fine: boolean) => stand.hand.pressWheel(way, fine),
+      key: (way: number, fine: boolean, at?: number) => stand.hand.pressWheel(way, fine, at),
       spin: (to: number) => stand.hand.spinWheel(to),
-      push: (to: number) => stand.hand.pushSpeed(to),
-      release: () => stand.hand.releaseSpeed(),
+      push: (to: number, at?: number) => stand.hand.pushSpeed(to, at),
+      release: (at?: number) => stand.hand.releaseSpeed(at),
       zero: () => {
         stand.hand.stopWheel();
         stand.hand.releaseSpeed();

@@ -3,7 +3,7 @@
 
 import { Refused, type Connection } from "../wire/connection";
 import { BridgeOrderCode, CableWeight, Growing, ReportCode, StayGiven } from "../wire/generated";
-import { h, setAttribute, svg } from "../kit/dom";
+import { h, setAttribute, setText, svg } from "../kit/dom";
 import { type PadLeaf, allSaid, capital, orderRows, padLeaves, placeOf, reportRows, saidOf } from "../kit/words";
 import { figurePad } from "./pad";
 import { Popover } from "../kit/popover";
@@ -193,9 +193,16 @@ export class Reports {
     let hour = 0;
     let stay = StayGiven.STAY_NOT_GIVEN;
     const marks: SVGElement[] = [];
+    const hint = h(
+      "p",
+      { class: "quiet", role: "status" },
+      t("Touch hour and stay: both go out together. Up and down needs no hour."),
+    );
     const say = (): void => {
-      if (stay !== StayGiven.STAY_NOT_GIVEN && (hour || stay === StayGiven.STAY_GIVEN_UP_AND_DOWN))
-        this.say(ReportCode.REPORT_LEAD, { lead: hour, stay: StayGiven[stay] });
+      if (stay === StayGiven.STAY_NOT_GIVEN) setText(hint, t("Not sent yet: touch the stay."));
+      else if (!hour && stay !== StayGiven.STAY_GIVEN_UP_AND_DOWN)
+        setText(hint, t("Not sent yet: touch the hour to which it leads."));
+      else this.say(ReportCode.REPORT_LEAD, { lead: hour, stay: StayGiven[stay] });
     };
     const touch = (n: number): void => {
       hour = n;
@@ -246,6 +253,7 @@ export class Reports {
         ...marks,
       ),
       h("div", { class: "choices" }, ...stayButtons),
+      hint,
     );
   }
 

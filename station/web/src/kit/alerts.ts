@@ -30,6 +30,7 @@ export const priorityName = (priority: AlertPriority): string => nameOf("AlertPr
 /** How a priority is called. */
 export const priorityWords = (priority: AlertPriority): string => saidOf("AlertPriority", priority);
 const kShown = 20; // MSC.302(87) 9.11
+const kJustOpened = 2000; // ms, in which the list does not shut by itself: who opened it would see nothing of it
 
 /** Unacknowledged first, then by priority, then the newest first. */
 function byUrgency(a: Alert, b: Alert): number {
@@ -55,6 +56,8 @@ export class AlertPanel {
   private readonly silence: HTMLButtonElement;
   private readonly listeners = new Set<(alerts: Alert[]) => void>();
   private known = new Set<string>();
+  private opened = -Infinity; // ms of performance.now()
+  private empty = true;
 
   constructor(private readonly link: Connection) {
     this.silence = h("button", { class: "plain", onclick: () => this.silenceAll() }, t("Silence"));
@@ -73,6 +76,16 @@ export class AlertPanel {
       this.announce,
     );
     document.body.append(this.announce); // heard also while the panel is shut
+    document.addEventListener("pointerdown", ({ target }) => {
+      const within = [this.element, this.button].some((each) => each.contains(target as Node));
+      if (!within) this.toggle(false);
+    });
+    document.addEventListener("keydown", (event) => {
+      // A dialog that lies over the page shuts first.
+      if (event.key !== "Escape" || this.element.hidden || document.querySelector("dialog[open]")) return;
+      this.toggle(false);
+      this.button.focus();
+    });
     // What was heard last is not heard of a link that is lost: the veil says so.
     this.sound = new AlertSound(() => (link.state === "open" ? this.sounding()?.priority : undefined));
     link.on("Alert", () => this.update());
@@ -110,7 +123,10 @@ export class AlertPanel {
   silenceAll(): void {
     for (const alert of this.alerts().filter(sounds)) this.tell(alert, "ALERT_SILENCE");
   }
+  /** Opens or shuts the list; a touch elsewhere or Escape shuts it, too, and that the last of them is gone. */
   toggle(open = this.element.hidden): void {
+    if (open === !this.element.hidden) return;
+    if (open) this.opened = performance.now();
     this.element.hidden = !open;
     this.button.setAttribute("aria-expanded", `${open}`);
   }
@@ -142,6 +158,9 @@ export class AlertPanel {
       if (!this.known.has(`${alert.code}/${alert.side}`))
         setText(this.announce, `${priorityWords(alert.priority)}: ${alertWords(alert).text}`);
     this.known = new Set(open.map((a) => `${a.code}/${a.side}`));
+    const gone = alerts.length === 0 && !this.empty;
+    this.empty = alerts.length === 0;
+    if (gone && performance.now() - this.opened > kJustOpened) this.toggle(false);
     this.sound.update();
     for (const listener of this.listeners) listener(alerts);
   }

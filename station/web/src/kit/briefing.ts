@@ -3,7 +3,7 @@
 // in the units of the gauges. That the lesson is over stands under the top bar.
 
 import type { Connection, Seat } from "../wire/connection";
-import { RunState } from "../wire/generated";
+import { type ExerciseStatus, RunState } from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import { type OwnSeat, onInstruction } from "./instructions";
@@ -12,8 +12,10 @@ import { clock, measures } from "./units";
 import { capital } from "./words";
 import { t, translated } from "./language";
 
+const kLate = 30; // s of exercise time, from which who opens a page comes in the middle
 const kAtItsStart = 1; // s of exercise time from there, up to which a paused exercise has not begun, or not gone on
 
+const kBriefed = "windlass.briefed"; // exercise, run and seat whose briefing this browser has had
 const seats: Record<Seat, string> = {
   forecastle: t("Your seat: the forecastle. You have the windlass, repeat the bridge's orders back and report."),
   conning: t("Your seat: the bridge. You have the helm, and the line to the forecastle."),
@@ -29,7 +31,7 @@ export class Briefing {
   /** Opens it; hidden while there is none. */
   readonly button: HTMLButtonElement;
   readonly element: HTMLDialogElement;
-  /** Says that the lesson is over, and why; hidden until then. */
+  /** Says that the lesson is over, and why; hidden until then. To who came in the middle: that there is a briefing. */
   readonly lessonOver = h("p", { class: "lesson-over", role: "status", hidden: true });
   private readonly title = h("h2", { lang: "en" });
   private readonly text = h("p", { class: "text", lang: "en" });
@@ -45,6 +47,7 @@ export class Briefing {
   private shownIn: number | undefined; // the run in which it has opened by itself
   private byItself = false;
   private why = ""; // the lesson is over
+  private late = false; // came in the middle of it
   private from: number | undefined; // s of exercise time, at which it was taken up; undefined: it began at its start
 
   constructor(
@@ -109,21 +112,48 @@ export class Briefing {
 
   private say(): void {
     const { why } = this;
-    this.lessonOver.hidden = !why;
+    this.lessonOver.hidden = !why && !this.late;
     const hidden = this.marks.button.hidden;
     const over = capital(translated(why));
     setText(
       this.lessonOver,
-      why &&
-        (hidden
+      !why
+        ? t("You have come here in the middle of it: what is wanted stands under Briefing.")
+        : hidden
           ? t("{over}. What came of it your instructor tells you.", { over })
-          : t("{over}. What came of it stands under Marks.", { over })),
+          : t("{over}. What came of it stands under Marks.", { over }),
     );
   }
 
   private open(): void {
     this.byItself = false;
+    this.seen();
     if (!this.element.open) this.element.showModal();
+  }
+
+  /** This browser has had the briefing of this run and seat: a page that is loaded anew says nothing of it. */
+  private seen(): void {
+    this.late = false;
+    this.say();
+    try {
+      sessionStorage.setItem(kBriefed, this.here());
+    } catch {
+      // a browser that keeps nothing is told again
+    }
+  }
+
+  private here(): string {
+    const { hello } = this.link;
+    return `${hello?.exercise ?? ""}/${this.link.latest("ExerciseStatus")?.run ?? ""}/${hello?.seat ?? ""}`;
+  }
+
+  private isLate(status: ExerciseStatus): boolean {
+    if (status.state !== RunState.RUN_RUNNING || status.time < (this.from ?? 0) + kLate) return false;
+    try {
+      return sessionStorage.getItem(kBriefed) !== this.here();
+    } catch {
+      return true;
+    }
   }
 
   private show(): void {
@@ -154,6 +184,11 @@ export class Briefing {
     const waits =
       status.state === RunState.RUN_READY ||
       (status.state === RunState.RUN_PAUSED && status.time < (this.from ?? 0) + kAtItsStart);
+    if (this.shownIn !== status.run && !staff.has(hello.seat) && this.isLate(status)) {
+      this.shownIn = status.run;
+      this.late = true;
+      this.say();
+    }
     if (waits && this.shownIn !== status.run && !staff.has(hello.seat)) {
       this.shownIn = status.run;
       this.open();

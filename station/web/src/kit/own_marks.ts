@@ -2,7 +2,7 @@
 // on next time. It opens by itself when the marks are told, and is behind its button from then on.
 
 import type { Connection } from "../wire/connection";
-import { type Assessment, type Criterion, CriterionState } from "../wire/generated";
+import { type Assessment, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import { written } from "./orders";
@@ -147,7 +147,14 @@ export class OwnMarks {
     const parts = [
       assessment.practice &&
         h("p", { class: "practice" }, t("{practice}: no test.", { practice: practiceSaid(assessment) })),
-      assessment.abort && h("p", {}, t("It ended before it was done: {why}.", { why: assessment.abort })),
+      assessment.abort &&
+        h(
+          "p",
+          {},
+          assessment.ending === LessonEnding.LESSON_ENDED_EARLY
+            ? t("It was ended before its lesson was done.")
+            : t("It ended before it was done: {why}.", { why: assessment.abort }),
+        ),
       reckoning(assessment),
       section(t("To work on next time"), wrong.slice(0, kToWorkOn).map(criterionRow)),
       section(t("Also missed"), wrong.slice(kToWorkOn).map(criterionRow)),

@@ -3,7 +3,7 @@
 import type { Connection } from "../wire/connection";
 import { type ExerciseStatus, RunState } from "../wire/generated";
 import type { AlertPanel } from "./alerts";
-import { h, setText } from "./dom";
+import { h, setAttribute, setText } from "./dom";
 import { runStateWords } from "./run_state";
 import { nextPalette, onPalette, paletteLabel, paletteWord } from "./palette";
 import { UnitChoice } from "./unit_choice";
@@ -74,6 +74,7 @@ export class TopBar {
 
   private show(status: ExerciseStatus): void {
     setText(this.exercise, status.title || status.exercise);
+    setAttribute(this.exercise, "title", status.title || status.exercise); // in full where there is no room for it
     setText(this.time, clock(status.time));
     this.time.toggleAttribute("data-old", this.silent);
     const running = status.state === RunState.RUN_RUNNING;

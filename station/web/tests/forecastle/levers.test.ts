@@ -61,8 +61,8 @@ class Link {
   }
 }
 
-/** A hand and its link; run(s) goes on in frames of 20 ms. */
-function hand(t: TestContext): { link: Link; hand: LeverHand; run: (seconds: number) => void } {
+/** A hand and its link; run(s) goes on in frames of so many ms. */
+function hand(t: TestContext, frame = 20): { link: Link; hand: LeverHand; run: (seconds: number) => void } {
   const link = new Link();
   const { brake, speed_lever, stopper_closed, emergency_stop } = kFound;
   link.view = { brake_position: brake, speed_lever, clutch: ClutchState.CLUTCH_IN, stopper_closed, emergency_stop };
@@ -72,11 +72,12 @@ function hand(t: TestContext): { link: Link; hand: LeverHand; run: (seconds: num
     link,
     hand: made,
     run: (seconds) => {
-      for (const end = link.now + 1000 * seconds - 1e-6; link.now < end;) made.tick((link.now += 20));
+      for (const end = link.now + 1000 * seconds - 1e-6; link.now < end;) made.tick((link.now += frame));
     },
   };
 }
 const kFrame = 0.02 / kTravel + 1e-9; // by which the wheel turns in a frame
+const kTap = 10 / 360 / kWheelTurns;
 const near = (value: number, wanted: number, tolerance = 1e-9): void =>
   assert.ok(Math.abs(value - wanted) <= tolerance, `${value} is not ${wanted}`);
 
@@ -103,6 +104,48 @@ test("the hand-wheel turns no faster than a hand: from half on to hard on in hal
   assert.equal(one.levers()!.brake, 1);
 });
 
+test("a page at 4 frames a second sweeps as far in a second as one at 60, and one that draws less than one", (t) => {
+  const swept = (frame: number, seconds: number, act: (one: LeverHand) => void): WindlassLevers => {
+    const { hand: one, run } = hand(t, frame);
+    act(one);
+    run(seconds);
+    t.mock.reset();
+    return one.levers()!;
+  };
+  const spin = (one: LeverHand): void => one.spinWheel(1);
+  const held = (one: LeverHand): void => one.pressWheel(-1);
+  const push = (one: LeverHand): void => one.pushSpeed(-1);
+  for (const frame of [250, 1000]) {
+    near(swept(frame, 1, spin).brake, swept(1000 / 60, 1, spin).brake);
+    near(swept(frame, 1, held).brake, swept(1000 / 60, 1, held).brake, kFrame);
+    near(swept(frame, 1, push).speed_lever, swept(1000 / 60, 1, push).speed_lever);
+  }
+  near(swept(250, 1, spin).brake, 0.75);
+});
+
+test("a wheel turns from when it is spun, whenever the last frame was; a page that slept makes up for little", (t) => {
+  const { link, hand: one } = hand(t);
+  one.put({ clutch_in: false });
+  link.now += 1500;
+  one.spinWheel(0);
+  one.tick((link.now += 100));
+  near(one.levers()!.brake, 0.5 - 0.1 / kTravel);
+  one.stopWheel();
+  one.spinWheel(1);
+  one.tick((link.now += 60_000));
+  assert.ok(one.levers()!.brake < 1);
+});
+
+test("a key let go is heard of late on a slow page: the wheel turned while it was down, and no longer", (t) => {
+  const { link, hand: one } = hand(t);
+  one.pressWheel(1, false, link.now);
+  const letGo = link.now + 100;
+  link.now += 1400;
+  one.pressWheel(0, false, letGo);
+  one.tick(link.now);
+  near(one.levers()!.brake, 0.5 + kTap);
+});
+
 test("a finger that is too fast is ahead of the wheel by three tenths of a turn at most", (t) => {
   const { hand: one, run } = hand(t);
   one.turnWheel(2);
@@ -118,8 +161,6 @@ test("a stick turns the wheel at a share of its rate until it is let go", (t) =>
   run(1);
   near(one.levers()!.brake, 0.25, kFrame);
 });
-
-const kTap = 10 / 360 / kWheelTurns;
 
 test("a tap of a key turns the wheel by ten degrees, with Shift by two, however long a tap takes a hand", (t) => {
   const { hand: one, run } = hand(t);

@@ -1,0 +1,94 @@
+// Which orders are done with: what a bridge no longer offers to cancel, and a forecastle no longer has to answer.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { type ReportLine, canBeCancelled, isAnswered } from "../../src/kit/order_done";
+import { bareReport, orderText, reportText } from "../../src/kit/words";
+import {
+  type BridgeOrder,
+  BridgeOrderCode as O,
+  BridgeOrderState,
+  CableWeight,
+  Growing,
+  type Report,
+  ReportCode as R,
+  StayGiven,
+} from "../../src/wire/generated";
+
+/** Given at 10 s a number. */
+const order = (number: number, code: O, more: Partial<BridgeOrder> = {}): BridgeOrder =>
+  ({
+    number,
+    code,
+    side: 0,
+    value: 0,
+    time: 10 * number,
+    state: BridgeOrderState.ORDER_REPEATED,
+    ...more,
+  }) as BridgeOrder;
+const made = (time: number, code: R, more: Partial<Report> = {}): ReportLine => ({
+  code: "report.made",
+  side: more.side ?? 0,
+  time,
+  text: `reported: ${reportText({ ...bareReport(code, 0), ...more })}, to order 3`,
+});
+
+test("each question is answered by a report of its kind, however it is worded, and by no other", () => {
+  const answers: [O, ReportLine][] = [
+    [O.BRIDGE_ORDER_HOW_MUCH, made(11, R.REPORT_SHACKLES_IN_PIPE, { value: 2.5 })],
+    [O.BRIDGE_ORDER_HOW_MUCH, made(11, R.REPORT_SHACKLES_ON_DECK, { value: 1 })],
+    [O.BRIDGE_ORDER_HOW_LEADING, made(11, R.REPORT_LEAD, { lead: 3, stay: StayGiven.STAY_GIVEN_SHORT })],
+    [O.BRIDGE_ORDER_HOW_LEADING, made(11, R.REPORT_LEAD, { stay: StayGiven.STAY_GIVEN_UP_AND_DOWN })],
+    [O.BRIDGE_ORDER_HOW_GROWING, made(11, R.REPORT_GROWING, { growing: Growing.GROWING_TIGHT })],
+    [O.BRIDGE_ORDER_HOW_MUCH_WEIGHT, made(11, R.REPORT_WEIGHT, { weight: CableWeight.WEIGHT_NONE })],
+    [O.BRIDGE_ORDER_BROUGHT_UP, made(11, R.REPORT_BROUGHT_UP)],
+  ];
+  for (const [code, line] of answers) {
+    assert.ok(isAnswered(order(1, code), [line]), line.text);
+    assert.ok(!canBeCancelled(order(1, code), [], [line]), line.text);
+    assert.ok(!isAnswered(order(1, code), [{ ...line, side: 1 }]), "of the other windlass");
+    assert.ok(!isAnswered(order(2, code), [line]), "before it was asked");
+    assert.ok(!isAnswered(order(1, code), [{ ...line, code: "report.not_heard" }]), "that nobody heard");
+    assert.ok(!isAnswered(order(1, code), [made(11, R.REPORT_STANDING_BY)]));
+    assert.ok(canBeCancelled(order(1, code), [], []));
+  }
+});
+
+test("a length that is repeated back is no report of it", () => {
+  const words = orderText(O.BRIDGE_ORDER_PAY_OUT, 0, 3);
+  const line = { code: "report.made", side: 0, time: 12, text: `reported: repeats: ${words}` };
+  assert.ok(!isAnswered(order(1, O.BRIDGE_ORDER_HOW_MUCH), [line]));
+});
+
+test("an order is carried out by the report that says so; of a length, by its own figure", () => {
+  const payOut = order(1, O.BRIDGE_ORDER_PAY_OUT, { value: 3 });
+  assert.ok(canBeCancelled(payOut, [payOut], [made(11, R.REPORT_SHACKLES_IN_PIPE, { value: 2 })]));
+  assert.ok(!canBeCancelled(payOut, [payOut], [made(11, R.REPORT_SHACKLES_IN_PIPE, { value: 3 })]));
+  const letGo = order(1, O.BRIDGE_ORDER_LET_GO);
+  assert.ok(canBeCancelled(letGo, [letGo], [made(11, R.REPORT_ANCHOR_READY)]));
+  assert.ok(!canBeCancelled(letGo, [letGo], [made(11, R.REPORT_LET_GO)]));
+  const heave = order(1, O.BRIDGE_ORDER_HEAVE);
+  assert.ok(canBeCancelled(heave, [heave], [made(11, R.REPORT_HEAVING)]), "it is still being done");
+});
+
+test("an order whose place a later one of that windlass has taken is not offered, until that is cancelled", () => {
+  const standBy = order(1, O.BRIDGE_ORDER_STAND_BY);
+  const letGo = order(2, O.BRIDGE_ORDER_LET_GO);
+  const holdOn = order(3, O.BRIDGE_ORDER_HOLD_ON, { value: 6 });
+  const other = order(4, O.BRIDGE_ORDER_HEAVE, { side: 1 });
+  const clear = order(5, O.BRIDGE_ORDER_STAND_CLEAR);
+  const offered = (all: BridgeOrder[]): number[] =>
+    all.filter((each) => canBeCancelled(each, all, [])).map(({ number }) => number);
+  assert.deepEqual(offered([standBy, letGo, holdOn, other, clear]), [3, 4, 5]);
+  const cancelled = { ...holdOn, state: BridgeOrderState.ORDER_CANCELLED };
+  assert.deepEqual(offered([standBy, letGo, cancelled, other, order(6, O.BRIDGE_ORDER_CANCEL)]), [2, 4]);
+});
+
+test("orders in own words do not take each other's place", () => {
+  const all = [
+    order(1, O.BRIDGE_ORDER_TEXT, { text: "mind the buoy" }),
+    order(2, O.BRIDGE_ORDER_TEXT, { text: "lamp" }),
+  ];
+  assert.ok(all.every((each) => canBeCancelled(each, all, [])));
+});
