@@ -70,6 +70,11 @@ export function newClass(
         .map((file) => h("option", { value: file.name }, file.title || file.name)),
     ),
   );
+  const choose = async (file?: string): Promise<void> => {
+    await listed;
+    lesson.value = file ?? lesson.value;
+    forCrew((await lessons).files);
+  };
   const fill = (group: Next[], moment?: Again): void => {
     anybody();
     fixed = moment ? Object.keys(moment.places) : group.map((one) => one.name);
@@ -96,10 +101,7 @@ export function newClass(
     practice.checked = !!from || group.some((one) => one.practice);
     lesson.disabled = practice.disabled = !!from; // the recording says which, and it is no test
     void enough();
-    void listed.then(() => {
-      lesson.value = group[0]?.file ?? lesson.value;
-      lesson.onchange?.(new Event("change"));
-    });
+    void choose(group[0]?.file);
   };
   const element = h(
     "div",
