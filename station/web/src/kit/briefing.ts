@@ -176,10 +176,9 @@ export class Briefing {
     const over = status.state === RunState.RUN_FINISHED;
     setText(this.over, over ? t("The exercise is over.") : "");
     this.goesOn.hidden = this.from === undefined;
-    const words = t(
-      "It goes on at {time}, for practice: levers, cable and marks are as they stood then. What the bridge had ordered holds.",
-      { time: clock(this.from ?? 0) },
-    );
+    const words = t("It goes on at {time}, for practice: levers, cable, orders and marks are as they stood then.", {
+      time: clock(this.from ?? 0),
+    });
     setText(this.goesOn, words);
     const waits =
       status.state === RunState.RUN_READY ||
