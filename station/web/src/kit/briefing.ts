@@ -1,6 +1,6 @@
 // What the trainees of a lesson read before it begins. It comes in pieces, as events; the dialog opens by itself while
-// the exercise waits at its start, or at a moment from which it goes on, and later when it is asked for; its figures are
-// in the units of the gauges. That the lesson is over stands under the top bar.
+// the exercise waits at its start, or at a moment from which it goes on, and later when it is asked for; its figures
+// are in the units of the gauges. That the lesson is over stands under the top bar.
 
 import type { Connection, Seat } from "../wire/connection";
 import { type ExerciseStatus, RunState } from "../wire/generated";
