@@ -252,6 +252,7 @@ describe("the line to the forecastle", () => {
 
   test("'let go' asks for the anchor to be plotted where the hawse was then; cable as reported makes her swinging circle", async () => {
     const report = (name: string) => deck.locator(".reports").getByRole("button", { name, exact: true });
+    await report("Letting go").click(); // the order that holds is to hold on
     await report("Let go").click();
     await eventually("heard", () => said("let go").first().isVisible());
     await tab("Anchor watch").click();

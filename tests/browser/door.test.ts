@@ -296,8 +296,8 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await debriefing.locator('a[href^="/replay?"]').first().click();
   await eventually("its times open the replay", () => debriefing.url().includes("/instructor?exercise=replay-"));
   await row.getByRole("button", { name: /^Again from \d+:\d\d$/ }).click();
-  await eventually("a class for her alone, from there", async () =>
-    /For carla alone.*; from \d+:\d\d of .*, ten seconds before .* was lost/.test(
+  await eventually("a class for her and who sat beside her, from there", async () =>
+    /For .*carla.* alone.*; from \d+:\d\d of .*, ten seconds before .* was lost/.test(
       await owner.locator("form").textContent(),
     ),
   );

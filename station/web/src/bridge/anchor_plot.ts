@@ -14,12 +14,13 @@ export interface Plotted {
   time?: number; // s, exercise time, of its being let go
   /** m, as reported or set by hand, and when; the last one counts. */
   cables?: { time: number; cable: number | undefined }[];
-  /** "let go" was heard as it was said: where the hawse was then; not plotted yet. */
+  /** "let go" was heard: where the hawse was then; not plotted yet. */
   reported?: Place & { time: number };
   /** Reports that are in this book, by time and number of the log: they are told again when the link opens. */
   entered?: string[];
 }
 
+const kOfThen = 5; // s between a report and the sight of her by which it is plotted, at most
 const kEntered = 200; // as many as the line has
 
 /** What of an anchor's book had happened at that time, s. */
@@ -49,15 +50,17 @@ export class AnchorPlot {
     line.onReport((heard) => this.enter(heard));
   }
 
-  private enter({ report, time, number, fresh }: HeardReport): void {
+  private enter({ report, time, number }: HeardReport): void {
     const { side, code } = report;
     if (side !== 0 && side !== 1) return;
     const name = `${time}/${number}`;
     const { entered = [] } = this.of(side);
     if (entered.includes(name)) return;
     const change: Partial<Plotted> = { entered: [...entered, name].slice(-kEntered) };
-    const hawse = this.hawse(side);
-    if (code === ReportCode.REPORT_LET_GO && hawse && fresh) change.reported = { ...hawse, time };
+    // A station tells its past as it came; where it has none, she lies elsewhere by now.
+    const isOfThen = Math.abs((this.link.latest("BridgeView")?.time ?? Infinity) - time) < kOfThen;
+    const hawse = isOfThen ? this.hawse(side) : undefined;
+    if (code === ReportCode.REPORT_LET_GO && hawse) change.reported = { ...hawse, time };
     const counts =
       code === ReportCode.REPORT_SHACKLES_IN_PIPE ||
       code === ReportCode.REPORT_SHACKLES_IN_WATER ||

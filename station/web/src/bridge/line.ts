@@ -155,6 +155,7 @@ export class Line {
     if (begins(event)) {
       leave(this.reports, event);
       leave(this.notices, event);
+      this.reports = this.reports.filter(({ left, told }) => told || !left); // nobody here has heard those
     } else if (event.code === "report.made" && event.bridge && !known(this.reports)) {
       const line = { ...event, left: false, told: false };
       this.reports = [...this.reports, line].slice(-kReports);

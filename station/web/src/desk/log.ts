@@ -13,7 +13,7 @@ const kShown = 400;
 
 export class LogPanel {
   readonly element: HTMLElement;
-  private readonly list = h("ol", { class: "log scroll", "aria-label": t("events") });
+  private readonly list = h("ol", { class: "log scroll", "aria-label": t("events"), tabindex: 0 });
   private readonly filter = h("input", {
     type: "search",
     "aria-label": t("filter"),

@@ -72,4 +72,8 @@ test("what the bridge did not hear does not stand there, and what a restore has 
   page.logs(30, 4, letGo);
   page.event(25, 5, "exercise.restored", "restored");
   assert.deepEqual(page.log(), ["report 30 port anchor is let go, left"]);
+  const late = bridge(31);
+  late.logs(30, 4, letGo);
+  late.event(25, 5, "exercise.restored", "restored");
+  assert.deepEqual(late.log(), [], "a page that has not heard it is not told");
 });
