@@ -46,8 +46,12 @@ cmi5::Stamp stamp() {
 /// File and id of a lesson that is asked for by either.
 std::pair<std::string, std::string> lesson_of(const json& list, const std::string& lesson) {
     for (const json& each : list.at("files"))
-        if (!each.at("lesson").is_null() && (each.at("name") == lesson || each.at("lesson") == lesson))
+        if (!each.at("lesson").is_null() && (each.at("name") == lesson || each.at("lesson") == lesson)) {
+            if (each.at("bridge_judged"))
+                throw Denied(409, "lesson: " + lesson +
+                                      " is for two, and a learning system starts one learner alone");
             return {each.at("name"), each.at("lesson")};
+        }
     throw Denied(404, "lesson: " + lesson + ": there is no such lesson here");
 }
 

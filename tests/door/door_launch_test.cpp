@@ -208,6 +208,7 @@ TEST_F(Launched, GarbageInEachParameterIsToldByFieldAndNobodyIsAsked) {
     EXPECT_EQ(launch(learner, there_.launch(), "../people").status, 400);
     EXPECT_EQ(there_.fetched(), 0);
     EXPECT_EQ(launch(learner, there_.launch(), "let_go_port_25m").status, 404) << "no lesson: no marks";
+    EXPECT_EQ(launch(learner, there_.launch(), "L27").status, 409) << "its bridge orders, and none is there";
     EXPECT_EQ(there_.fetched(), 0);
     EXPECT_EQ(learner.ask("POST", "/door/launch", "no json").status, 400);
     EXPECT_EQ(learner.get("/door/me").json()["who"], "nobody");
