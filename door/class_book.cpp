@@ -79,7 +79,8 @@ std::vector<Part> TrainingClass::parts(const std::string& exercise) const {
 std::string part_words(const Part& of) {
     const auto clock = [](double time) {
         const auto s = static_cast<long>(time);
-        return fmt::format("{}:{:02}", s / 60, s % 60);
+        return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
+                        : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
     };
     std::string words = of.since ? "from " + clock(*of.since) : "";
     if (of.until) words += (words.empty() ? "to " : " to ") + clock(*of.until);
@@ -318,6 +319,20 @@ void ClassBook::forget(const std::string& id) {
 
 namespace {
 
+/// s of exercise, as it was heard last.
+double time_in(const TrainingClass& of, const std::string& exercise) {
+    const auto found = of.results.find(exercise);
+    return found == of.results.end() ? 0 : found->second.time;
+}
+
+/// He leaves his seat, of an exercise that has begun.
+void relieve(TrainingClass& of, const Trainee& who) {
+    const auto found = of.results.find(who.exercise);
+    if (found == of.results.end() || !found->second.began) return;
+    const double now = found->second.time;
+    if (who.since < now) of.relieved.push_back({who.name, who.exercise, who.place, who.since, now});
+}
+
 /// An exercise stands at that time again.
 void go_back(TrainingClass& its_class, const std::string& exercise, double time) {
     std::erase_if(its_class.relieved, [&](Relieved& each) {
@@ -479,19 +494,6 @@ std::string ClassBook::remove(const std::string& id, const std::string& name) {
     std::string key = found->key;
     its_class.trainees.erase(found);
     return key;
-}
-
-double ClassBook::time_in(const TrainingClass& of, const std::string& exercise) {
-    const auto found = of.results.find(exercise);
-    return found == of.results.end() ? 0 : found->second.time;
-}
-
-/// Of an exercise that has begun.
-void ClassBook::relieve(TrainingClass& of, const Trainee& who) {
-    const auto found = of.results.find(who.exercise);
-    if (found == of.results.end() || !found->second.began) return;
-    const double now = found->second.time;
-    if (who.since < now) of.relieved.push_back({who.name, who.exercise, who.place, who.since, now});
 }
 
 } // namespace windlass::door

@@ -183,14 +183,12 @@ public:
 
 private:
     TrainingClass& mine(const std::string& id);
-    static double time_in(const TrainingClass& of, const std::string& exercise);
-    static void relieve(TrainingClass& of, const Trainee& who);
     std::size_t count(bool launched, bool over) const;
 
     std::vector<TrainingClass> classes_;
 };
 
-/// "", "to 4:00", "from 4:00", "from 2:00 to 4:00".
+/// "", "to 4:00", "from 4:00", "from 2:00 to 1:04:00".
 std::string part_words(const Part& of);
 
 /// A class for a table: RFC 4180, one row a part of a seat that was taken.

@@ -347,6 +347,11 @@ TEST_F(Worked, WhoChangePlacesHaveAPartOfBoth) {
     EXPECT_THAT(parts(), ElementsAre("ben forecastle", "anna bridge"));
 }
 
+TEST(PartWords, SayFromWhenToWhen) {
+    EXPECT_EQ(part_words({.name = "anna"}), "");
+    EXPECT_EQ(part_words({.name = "anna", .since = 120, .until = 3845}), "from 2:00 to 1:04:05");
+}
+
 TEST(PlacesOf, ACrewHasTheSeatsOfItsNumber) {
     EXPECT_THAT(places_of(1), ElementsAre(Place::ship));
     EXPECT_THAT(places_of(2), ElementsAre(Place::forecastle, Place::bridge));
