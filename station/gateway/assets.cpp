@@ -60,6 +60,9 @@ Assets::Assets(const fs::path& folder, const std::string& first_page) {
                                  ": this program was built without npm, or without its pages (target "
                                  "station_pages)");
     files_.emplace("/", first->second);
+    // Browsers ask for it by this name where nothing names the icon: beside a debriefing, a table, a text.
+    if (const auto icon = files_.find("/favicon.svg"); icon != files_.end())
+        files_.emplace("/favicon.ico", icon->second);
 }
 
 void Assets::add_page(const std::string& path, std::function<std::string()> content) {

@@ -18,9 +18,10 @@ struct Asset {
 
 class Assets {
 public:
-    /// "/forecastle" for forecastle.html, "/" for the page of that name, "/assets/kit.css" ...; FILE.gz is
-    /// the twin of FILE. Files of kinds that pages do not load are left out. Throws std::runtime_error when
-    /// the folder cannot be read or has no such page: the stations were built without their pages.
+    /// "/forecastle" for forecastle.html, "/" for the page of that name, "/assets/kit.css" ...,
+    /// "/favicon.ico" for favicon.svg; FILE.gz is the twin of FILE. Files of kinds that pages do not load are
+    /// left out. Throws std::runtime_error when the folder cannot be read or has no such page: the stations
+    /// were built without their pages.
     Assets(const std::filesystem::path& folder, const std::string& first_page);
 
     /// One more, which is in no folder: an HTML page at that path, made anew each time that it is asked for.
