@@ -54,14 +54,15 @@ std::string in_words(std::string outcome) {
     return outcome.empty() ? "no outcome" : outcome;
 }
 
-/// What was computed of an attempt.
-struct Computed {
+/// What stands of an attempt: an assessor's word until he says another, else what was computed.
+struct Standing {
     std::optional<std::int64_t> tenths, pass; ///< pass: points of 100
     std::string outcome;
 };
 
-/// The outcome of a score that an assessor has given without one: by the lesson's pass.
-std::string outcome_of(double score, const Computed& computed) {
+/// The outcome of a score that an assessor has given without one: by the lesson's pass and by what was
+/// computed, and not by the outcome of a score before it.
+std::string outcome_of(double score, const Standing& computed) {
     if (computed.outcome.empty()) return ""; // nothing was assessed
     const std::string say = "; say --outcome achieved, not_yet or not_shown beside --score";
     if (!computed.pass)
@@ -88,23 +89,23 @@ std::string History::confirm(const std::string& beginning, const Word& word, con
     std::string stands;
     database_.all_or_nothing([&] {
         const std::string id = attempt_of(beginning);
-        const Row row =
-            database_
-                .run("SELECT CASE WHEN confirmed_at IS NULL THEN coalesce(score_final, score_computed) ELSE "
-                     "score_computed END, pass, outcome, practice FROM attempt WHERE id = ?",
-                     {id})
-                .at(0);
+        const Row row = database_
+                            .run("SELECT coalesce(score_final, score_computed), pass, outcome, practice, "
+                                 "coalesce(outcome_final, outcome) FROM attempt WHERE id = ?",
+                                 {id})
+                            .at(0);
         if (integer_of(row[3]) == 1)
             throw std::invalid_argument("attempt " + id.substr(0, 8) +
                                         " is for practice, and shows no competence; have the lesson done "
                                         "without hints, and confirm that");
-        const Computed computed{integer_of(row[0]), integer_of(row[1]), text_of(row[2])};
+        const Standing stood{integer_of(row[0]), integer_of(row[1]), text_of(row[4])};
+        const Standing computed{{}, stood.pass, text_of(row[2])};
         const auto tenths =
-            word.score ? std::optional<std::int64_t>(std::llround(*word.score * 10)) : computed.tenths;
+            word.score ? std::optional<std::int64_t>(std::llround(*word.score * 10)) : stood.tenths;
         const bool follows = word.outcome.empty() && word.score;
         const std::string outcome = !word.outcome.empty() ? word.outcome
                                     : word.score          ? outcome_of(*word.score, computed)
-                                                          : computed.outcome;
+                                                          : stood.outcome;
         database_.run("UPDATE attempt SET score_final = ?, outcome_final = ?, confirmed_by = ?, "
                       "confirmed_at = ? WHERE id = ?",
                       {or_null(tenths), or_null(outcome), word.by, now, id});
@@ -116,7 +117,7 @@ std::string History::confirm(const std::string& beginning, const Word& word, con
                              tenths ? fmt::format("{:.1f} points", static_cast<double>(*tenths) / 10)
                                     : std::string("no points"),
                              in_words(outcome));
-        if (follows && computed.pass) stands += fmt::format(", by the lesson's pass of {}", *computed.pass);
+        if (follows && stood.pass) stands += fmt::format(", by the lesson's pass of {}", *stood.pass);
     });
     return stands;
 }

@@ -50,11 +50,14 @@ public:
     /// What an assessor confirms of an attempt, and why.
     struct Word {
         std::string by;
-        std::optional<double> score{}; ///< of 100; nothing: as computed, with what was set of criteria
-        std::string outcome{};         ///< achieved, not_yet, not_shown; empty: it follows from the score
+        std::optional<double> score{}; ///< of 100; nothing: as it stands
+        std::string outcome{}; ///< achieved, not_yet, not_shown; empty: it follows from the score, and
+                               ///< without one is as it stands
         std::string note;
     };
-    /// An assessor's word on the whole. Of a score alone the outcome follows by the lesson's pass. attempt:
+    /// An assessor's word on the whole. It stands until another takes its place: who confirms without a score
+    /// confirms what was confirmed before, else what was computed with what was set of criteria. Of a score
+    /// alone the outcome follows by the lesson's pass. attempt:
     /// its id, or as many of its first characters as tell it apart. Returns what stands from now on, for
     /// people. Throws std::invalid_argument, also for a score that reaches the pass of an attempt whose
     /// computed outcome is another than achieved: only the assessor knows what he means.

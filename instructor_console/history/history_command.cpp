@@ -186,10 +186,13 @@ void add_history(CLI::App& app, HistoryOptions& options, const std::function<voi
     CLI::App& confirm = add("confirm", "an assessor's word on an attempt", What::confirm);
     confirm.add_option("attempt", options.attempt, "its id, or enough of its beginning")->required();
     confirm.add_option("--by", options.by, "who says so")->required();
-    confirm.add_option("--score", options.score, "0..100 (default: as computed)")
+    confirm
+        .add_option("--score", options.score,
+                    "0..100 (default: as it stands, by an assessor's word or computed)")
         ->check(CLI::Range(0.0, 100.0));
     confirm.add_option("--outcome", options.outcome,
-                       "achieved, not_yet or not_shown (default: as the score has it by the lesson's pass)");
+                       "achieved, not_yet or not_shown (default: as a --score has it by the lesson's pass, "
+                       "else as it stands)");
     confirm.add_option("--note", options.note, "why; 10 characters at least")->required();
 
     CLI::App& csv = add("export", "all of it as CSV, a row for each seat", What::write_csv);

@@ -268,6 +268,45 @@ TEST_F(HistoryTest, WhatAnAssessorHasSetOfACriterionCountsBeforeTheWholeIsConfir
     EXPECT_EQ(history.confirm(id, {.by = "Ann", .note = "as it stands"}, ""), "66.3 points, not yet");
 }
 
+// An assessor's word stands until he says another.
+TEST_F(HistoryTest, ConfirmedOnceMoreWithoutAScoreItStandsAsItWasConfirmed) {
+    History history(file());
+    const std::string id =
+        history.add(attempt("monday"), {{.pseudonym = "t1", .name = {}, .group = {}}}, "monday");
+    const auto confirm = [&](std::optional<double> score, const char* outcome) {
+        return history.confirm(
+            id, {.by = "Ann", .score = score, .outcome = outcome, .note = "looked at once more"}, "");
+    };
+    EXPECT_EQ(confirm(80.5, "achieved"), "80.5 points, achieved");
+    EXPECT_EQ(confirm({}, ""), "80.5 points, achieved");
+    EXPECT_EQ(confirm({}, "not_yet"), "80.5 points, not yet");
+    EXPECT_EQ(confirm({}, ""), "80.5 points, not yet");
+    EXPECT_EQ(confirm(66, ""), "66.0 points, not yet, by the lesson's pass of 70")
+        << "unless he says another";
+    EXPECT_EQ(confirm({}, ""), "66.0 points, not yet");
+    EXPECT_THAT(history.csv(false), HasSubstr(",66.0,66.0,not_yet,not_yet,"));
+}
+
+TEST_F(HistoryTest, WhatWasSetOfACriterionStandsWhenTheWholeIsConfirmedOnceMore) {
+    auto of = attempt("monday");
+    debrief::AssessorWord set{.time = 30, .by = "Ann", .command = {}},
+        whole{.time = 40, .by = "Ann", .command = {}};
+    set.command.criterion("stance");
+    set.command.verdict(VERDICT_MET);
+    set.command.note("stood well clear");
+    whole.command.verdict(VERDICT_CONFIRMED);
+    whole.command.note("as it stands");
+    of.words = {set, whole};
+    of.assessment->score(72);
+    of.assessment->outcome("achieved");
+    History history(file());
+    const std::string id = history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "monday");
+    EXPECT_EQ(history.list()[0].confirmed_by, "Ann");
+    EXPECT_EQ(history.confirm(id, {.by = "Ben", .note = "seen by two"}, "2026-11-22T15:00:00Z"),
+              "72.0 points, achieved");
+    EXPECT_THAT(history.csv(false), HasSubstr(",66.0,72.0,achieved,achieved,"));
+}
+
 TEST_F(HistoryTest, TwoHandsDoNotGetOneSeat) {
     const auto of = attempt("monday");
     History history(file());
