@@ -167,7 +167,9 @@ std::vector<Question> questions_of(const Lesson& lesson, const assess::Result& c
         if (lesson.criteria[k].kind == assess::CriterionKind::rubric) continue;
         const assess::CriterionResult& mark = computed.criteria[k];
         all.push_back({lesson.id + "/" + lesson.criteria[k].id, question(lesson, lesson.criteria[k]),
-                       mark.counts ? std::optional(on_scale(mark.milli)) : std::nullopt});
+                       mark.state == assess::CriterionState::not_in_play
+                           ? std::nullopt
+                           : std::optional(on_scale(mark.milli))});
     }
     all.push_back({kOverall,
                    "Overall. Had this been your ship: would you call the hand that did this competent?",

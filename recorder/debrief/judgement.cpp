@@ -75,6 +75,7 @@ std::optional<Mark> went_wrong(const Attempt& attempt, const Judgement& judgemen
     for (const Mark& mark : judgement.deductions()) {
         if ((ending == LESSON_TIME_UP || ending == LESSON_ENDED_EARLY) && mark.time > end - kAtTheEnd)
             continue;
+        if (mark.criterion->state() == CRITERION_NOT_IN_PLAY) continue; // it never came to that
         if (!first || (mark.criterion->must() && !first->criterion->must())) first = mark;
     }
     return first;

@@ -71,7 +71,8 @@ void add_extremes(const Attempt& attempt, std::vector<Moment>& moments) {
 /// What the judge has found wrong: criteria, orders, reports.
 void add_failures(const Attempt& attempt, std::vector<Moment>& moments) {
     for (const Mark& mark : judgement_of(attempt).marks)
-        if (mark.criterion->counts() && !mark.criterion->met() && mark.criterion->state() != CRITERION_OPEN)
+        if (mark.criterion->counts() && !mark.criterion->met() && mark.criterion->state() != CRITERION_OPEN &&
+            mark.criterion->state() != CRITERION_NOT_IN_PLAY) // which was missed at no moment
             moments.push_back({mark.time, fmt::format("not met: {}", title_of(*mark.criterion)), -1});
     for (const OrderSaid& order : orders_said(attempt))
         if (order.judged && !order.done)

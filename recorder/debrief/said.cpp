@@ -17,6 +17,8 @@ namespace {
 void tell_judged(const Attempt& attempt, const SaidReport& said, ReportSaid& row) {
     if (!attempt.assessment) return;
     for (const JudgedReport& judged : attempt.assessment->reports()) {
+        if (judged.criterion().size() == 0)
+            continue; // no criterion asks for it: the tackle tells what was so
         const bool of_it = judged.tick() == said.tick && judged.code() == said.report.code() &&
                            (said.report.side() < 0 || said.report.side() == judged.side());
         if (!of_it) continue;

@@ -73,6 +73,9 @@ void Assessor::visit(physics::StateVisitor& v) {
     const int first = state_.ending == Ending::abort ? 0 : -1;
     v.within({"aborted_by"}, state_.aborted_by, first, static_cast<int>(lesson_->abort.size()) - 1);
     v.within({"changes"}, state_.changes, 0, static_cast<int>(lesson_->schedule.size()));
+    for (const auto* reports : {&state_.waiting, &state_.unasked})
+        for (const JudgedReport& report : *reports)
+            v.within({"unasked"}, report.criterion, 0, static_cast<int>(lesson_->unasked.size()) - 1);
     for (std::size_t k = 0; k < lesson_->questions.size(); ++k) {
         const QuestionCourse& course = state_.questions[k];
         const auto choices = static_cast<int>(lesson_->questions[k].choices.size());

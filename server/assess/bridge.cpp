@@ -1,6 +1,7 @@
 #include "server/assess/bridge.hpp"
 
 #include "server/assess/marks.hpp"
+#include "server/assess/order_done.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/exercise/talk/bridge_orders.hpp"
 #include "server/exercise/talk/talk.hpp"
@@ -134,10 +135,6 @@ std::optional<ReportCode> awaited(const Condition& condition, const Lesson& less
     for (const Condition& one : condition.either)
         if (const auto report = awaited(one, lesson, state, since)) return report;
     return std::nullopt;
-}
-
-bool is_question(BridgeOrderCode code) {
-    return words::row_of(code).repeat <= 0;
 }
 
 /// Place of the order that a report calls unsafe: the one that it names, or the last that he was given, which
@@ -466,6 +463,11 @@ void take_answer(const Lesson& lesson, State& state, const Heard& report) {
         state.question = -1;
         state.asked = 0;
     }
+    for (FurtherOrder& order : state.further) {
+        const bool his = report.side < 0 || order.side < 0 || report.side == order.side;
+        if (order.done < 0 && is_question(order.code) && his && answers({.code = order.code}, report.code))
+            order.done = state.tick;
+    }
     for (std::size_t k = 0; k < state.orders.size(); ++k) {
         OrderCourse& course = state.orders[k];
         const BridgeOrderGiven& given = lesson.orders[k].given;
@@ -486,6 +488,21 @@ void take_answer(const Lesson& lesson, State& state, const Heard& report) {
 bool speak(const Lesson& lesson, State& state, const exercise::Snapshot& seen, int tick_rate,
            std::vector<exercise::Order>& due) {
     return Turn(lesson, state, seen, tick_rate, due).speak();
+}
+
+std::int64_t gives_up_at(const Lesson& lesson, const State& state, int tick_rate) {
+    if (lesson.bridge_manned || lesson.patience <= 0 || state.asked == 0 || state.ending != Ending::none)
+        return -1;
+    std::int64_t since = std::max({state.begin, state.heard_at, state.spoke_at});
+    double wait = lesson.patience;
+    if (const int k = open_order(lesson, state); k >= 0) {
+        const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
+        const double repeat = repeat_within(lesson.orders[static_cast<std::size_t>(k)].given);
+        const bool not_repeated = course.repeated < 0 && repeat > 0;
+        wait = not_repeated ? repeat + kWaitsRepeat : kWaitsAnswer;
+        if (!not_repeated) since = std::max({since, course.given, course.do_by});
+    }
+    return since + std::llround((kMostAsked + 1 - state.asked) * wait * tick_rate);
 }
 
 std::string gave_up_words(const Lesson& lesson, const State& state) {

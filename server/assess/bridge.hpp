@@ -18,6 +18,10 @@ void take_answer(const Lesson& lesson, State& state, const Heard& report);
 bool speak(const Lesson& lesson, State& state, const exercise::Snapshot& seen, int tick_rate,
            std::vector<exercise::Order>& due);
 
+/// Tick at which it gives up, and the lesson ends, if it hears nothing until then and no men are at work; -1:
+/// it has not had to ask.
+std::int64_t gives_up_at(const Lesson& lesson, const State& state, int tick_rate);
+
 /// What it waited for in vain when it gave up: "no answer to \"pay out, port, 3 shackles in the pipe\"".
 std::string gave_up_words(const Lesson& lesson, const State& state);
 

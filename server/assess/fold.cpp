@@ -4,8 +4,10 @@
 #include "server/assess/bridge.hpp"
 #include "server/assess/chance.hpp"
 #include "server/assess/marks.hpp"
+#include "server/assess/order_done.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/assess/questions.hpp"
+#include "server/assess/unasked.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -92,6 +94,30 @@ bool is_so(const Condition& done, const Lesson& lesson, State& state, std::size_
            });
 }
 
+bool stands_at(exercise::BridgeOrderCode code, double figure, int side, const Snapshot& seen) {
+    const TackleView* tackle = tackle_of(seen, side);
+    return tackle != nullptr && stands_at_figure(code, figure, *tackle);
+}
+
+/// Whether one of those that an order is to has carried it out; to a figure that the bridge has chosen he
+/// has once the cable stands there, and not once it stands.
+bool is_carried_out(const Condition& done, const Lesson& lesson, State& state, std::size_t k,
+                    const Snapshot& seen, int tick_rate) {
+    const double figure = state.orders[k].figure;
+    return figure > 0 ? stands_at(lesson.orders[k].given.code, figure, done.side, seen)
+                      : is_so(done, lesson, state, k, seen, tick_rate);
+}
+
+/// When one of those that an order is to carried it out: since when it has been so, once that has lasted.
+void watch_part(bool so, std::int64_t& since, std::int64_t& at, std::int64_t tick, int tick_rate) {
+    if (!so)
+        since = -1;
+    else if (since < 0)
+        since = tick;
+    else if (tick - since >= ticks(kDoneFor, tick_rate))
+        at = since;
+}
+
 /// Each of those that an order is to carries it out at his time; it is done when the last has.
 void watch_deed(const Lesson& lesson, State& state, std::size_t k, const Snapshot& seen, int tick_rate) {
     const std::vector<Condition>& done = lesson.orders[k].done;
@@ -100,18 +126,55 @@ void watch_deed(const Lesson& lesson, State& state, std::size_t k, const Snapsho
     bool all = true;
     for (std::size_t i = 0; i < done.size(); ++i) {
         std::int64_t &at = course.each_done.at(i), &since = course.each_since.at(i);
-        if (at < 0) {
-            if (!is_so(done[i], lesson, state, k, seen, tick_rate))
-                since = -1;
-            else if (since < 0)
-                since = state.tick;
-            else if (state.tick - since >= ticks(kDoneFor, tick_rate))
-                at = since;
-        }
+        if (at < 0)
+            watch_part(is_carried_out(done[i], lesson, state, k, seen, tick_rate), since, at, state.tick,
+                       tick_rate);
         all = all && at >= 0;
         last = std::max(last, at);
     }
     if (all) course.done = last;
+}
+
+/// An order that none of the lesson's stands for, or none any more. What no windlass shows is in no list:
+/// nobody can tell whether it was carried out.
+void take_further(const Lesson& lesson, State& state, const exercise::BridgeOrderView& order) {
+    if (!lesson.bridge_manned || lesson.orders.size() + state.further.size() >= kMostOrders) return;
+    const exercise::BridgeOrderGiven& given = order.given;
+    const auto code = static_cast<std::size_t>(given.code);
+    const bool is_shown = std::ranges::any_of(lesson.usually_done, [code](const auto& of_side) {
+        return code < of_side.size() && !(of_side[code].bounds.empty() && of_side[code].signs.empty());
+    });
+    if (!is_shown && !is_question(given.code)) return;
+    state.further.push_back({.number = order.number,
+                             .code = given.code,
+                             .side = given.side,
+                             .figure = is_to_a_figure(given) ? given.value : 0});
+}
+
+/// As watch_deed().
+void watch_further(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate) {
+    for (FurtherOrder& order : state.further) {
+        if (order.done >= 0 || is_question(order.code)) continue;
+        const auto found =
+            std::ranges::find(seen.bridge_orders, order.number, &exercise::BridgeOrderView::number);
+        if (found != seen.bridge_orders.end() && found->state == exercise::BridgeOrderState::cancelled)
+            continue;
+        std::int64_t last = -1;
+        bool all = true;
+        for (const TackleView& tackle : seen.tackle) {
+            const auto side = static_cast<std::size_t>(tackle.side);
+            if (order.side >= 0 && order.side != static_cast<int>(side)) continue;
+            std::int64_t &at = order.each_done.at(side), &since = order.each_since.at(side);
+            const Condition& done = lesson.usually_done.at(side).at(static_cast<std::size_t>(order.code));
+            if (at < 0)
+                watch_part(order.figure > 0 ? stands_at_figure(order.code, order.figure, tackle)
+                                            : holds(done, lesson, state, seen, tick_rate),
+                           since, at, state.tick, tick_rate);
+            all = all && at >= 0;
+            last = std::max(last, at);
+        }
+        if (all) order.done = last;
+    }
 }
 
 /// The bridge's orders as they stand, whoever gave them.
@@ -120,7 +183,10 @@ void watch_orders(const Lesson& lesson, State& state, const Snapshot& seen, int 
         if (order.number <= state.last_order) continue;
         state.last_order = order.number;
         const int k = course_of(lesson, state, order.given);
-        if (k < 0) continue;
+        if (k < 0) {
+            take_further(lesson, state, order);
+            continue;
+        }
         OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
         course.number = order.number;
         if (k == state.renewing) {
@@ -128,12 +194,16 @@ void watch_orders(const Lesson& lesson, State& state, const Snapshot& seen, int 
             continue;
         }
         course.given = state.tick;
+        const bool its_own = lesson.orders[static_cast<std::size_t>(k)].given.value > 0;
+        if (lesson.bridge_manned && !its_own && is_to_a_figure(order.given))
+            course.figure = order.given.value;
         if (order.do_by > 0) course.do_by = state.tick + ticks(order.do_by - order.time, tick_rate);
         const std::vector<Condition>& done = lesson.orders[static_cast<std::size_t>(k)].done;
         course.was_so = !done.empty() && std::all_of(done.begin(), done.end(), [&](const Condition& one) {
-            return is_so(one, lesson, state, static_cast<std::size_t>(k), seen, tick_rate);
+            return is_carried_out(one, lesson, state, static_cast<std::size_t>(k), seen, tick_rate);
         });
     }
+    watch_further(lesson, state, seen, tick_rate);
     for (std::size_t k = 0; k < state.orders.size(); ++k) {
         OrderCourse& course = state.orders[k];
         if (course.number == 0 || course.challenged >= 0) continue;
@@ -357,6 +427,9 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
             take_report(lesson.criteria[k], state.marks[k], report, look);
         look_at(lesson.criteria[k], state.marks[k], look);
     }
+    for (const Heard& report : state.heard)
+        take_unasked(report, look);
+    watch_unasked(look);
     state.heard.clear();
     look_for_the_end(lesson, state, seen, tick_rate);
     if (state.ending != Ending::none) return;
@@ -401,13 +474,13 @@ void hear(const Lesson& lesson, State& state, const exercise::Order& order, int 
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k) {
         if (lesson.criteria[k].id != word->criterion) continue;
         Mark& mark = state.marks[k];
-        mark.overridden = true;
-        mark.note = word->note;
-        mark.by = word->by;
         switch (word->verdict) {
         case exercise::AssessorVerdict::met:
-        case exercise::AssessorVerdict::confirmed:
             mark.given_milli = 1000;
+            break;
+        case exercise::AssessorVerdict::confirmed: // what stands, by his own word or as it is computed
+            if (!mark.overridden)
+                mark.given_milli = mark.state == CriterionState::not_in_play ? -1 : mark.milli;
             break;
         case exercise::AssessorVerdict::not_met:
             mark.given_milli = 0;
@@ -421,6 +494,9 @@ void hear(const Lesson& lesson, State& state, const exercise::Order& order, int 
         case exercise::AssessorVerdict::ended: // of the whole alone
             break;
         }
+        mark.overridden = true;
+        mark.note = word->note;
+        mark.by = word->by;
     }
 }
 

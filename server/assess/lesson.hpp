@@ -212,9 +212,13 @@ struct Lesson {
     std::vector<WatchedReport> reports; ///< the same
     std::vector<Moment> moments;
     std::vector<LessonOrder> orders;
+    /// Of a bridge that is manned: when an order that none of these stands for is carried out, for each code
+    /// and side; nothing in it: the windlass does not show it.
+    std::array<std::vector<Condition>, 2> usually_done{};
     std::vector<LessonFault> faults;
     std::vector<WeatherChange> schedule;
     std::vector<Criterion> criteria;
+    std::vector<Criterion> unasked;  ///< what makes the reports true that these do not ask for (unasked.hpp)
     std::vector<Question> questions; ///< in the order of their criteria
     std::vector<Hint> hints;
     std::array<Gear, 2> gear{}; ///< port, starboard; of the exercise, not of the file

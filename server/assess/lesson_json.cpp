@@ -5,6 +5,7 @@
 #include "server/assess/order_done.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/assess/state.hpp"
+#include "server/assess/unasked.hpp"
 #include "server/exercise/state_hash.hpp"
 #include "server/exercise/talk/bridge_orders.hpp"
 #include "server/physics/base/units.hpp"
@@ -54,9 +55,11 @@ public:
         });
         read_moments();
         read_list("orders", [&](const Json& one, const std::string& at) { read_order(one, at); });
+        if (lesson_.bridge_manned) lay_what_it_may_order();
         read_list("faults", [&](const Json& one, const std::string& at) { read_fault(one, at); });
         read_list("schedule", [&](const Json& one, const std::string& at) { read_change(one, at); });
         read_list("criteria", [&](const Json& one, const std::string& at) { read_criterion(one, at); });
+        lay_unasked(lesson_, sides_);
         read_list("hints", [&](const Json& one, const std::string& at) { read_hint(one, at); });
         read_end();
         read_runs();
@@ -282,6 +285,17 @@ private:
             order.done.push_back(one.contains("done") ? condition(one.at("done"), at + "/done", to)
                                                       : usual_done(lesson_, given, to));
         lesson_.orders.push_back(std::move(order));
+    }
+
+    /// A bridge that is manned orders what it likes, and as often. A question is answered, which is no state.
+    void lay_what_it_may_order() {
+        for (const int to : sides_)
+            for (std::size_t code = 0; code < words::kBridgeOrderNames.size(); ++code) {
+                const exercise::BridgeOrderGiven given{.code = static_cast<exercise::BridgeOrderCode>(code)};
+                lesson_.usually_done.at(static_cast<std::size_t>(to))
+                    .push_back(is_question(given.code) ? Condition{.side = to}
+                                                       : usual_done(lesson_, given, to));
+            }
     }
 
     void read_fault(const Json& one, const std::string& at) {

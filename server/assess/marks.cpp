@@ -169,6 +169,11 @@ void keep(const Criterion& criterion, State& state, const Lesson& lesson, Judged
     state.judged.push_back(report);
 }
 
+/// The report that came last, which never came true.
+JudgedReport as_never_true(const Mark& mark) {
+    return {.tick = mark.reported, .milli = 0, .truth = mark.shown, .top_angle = mark.shown_angle};
+}
+
 /// One of several reports that are asked for. earned: thousandths.
 void count(const Criterion& criterion, Mark& mark, int earned, std::int64_t tick) {
     if (earned == 0) ++mark.wrong;
@@ -375,7 +380,45 @@ FigureTruth truth_of(const Heard& report, const exercise::TackleView& tackle, co
     return {report.value, truth, std::abs(report.value - truth)};
 }
 
+JudgedReport judged_figure(const Criterion& criterion, const Heard& report, const FigureTruth& figure,
+                           const exercise::TackleView& tackle) {
+    return {.tick = report.tick,
+            .milli = figure.off <= criterion.full_off   ? 1000
+                     : figure.off <= criterion.half_off ? 500
+                                                        : 0,
+            .code = report.code,
+            .said = figure.said,
+            .truth = figure.truth,
+            .top_angle = physics::degrees_from_radians(tackle.chain.top_angle),
+            .stay = report.stay};
+}
+
+/// What the tackle shows of that which a report of something that happens is about.
+double shown_of(exercise::ReportCode code, const exercise::TackleView& tackle) {
+    switch (code) {
+    case exercise::ReportCode::short_stay:
+    case exercise::ReportCode::up_and_down:
+        return tackle.chain.lead_clock;
+    case exercise::ReportCode::no_power:
+        return tackle.windlass.power ? 1 : 0;
+    case exercise::ReportCode::does_not_run:
+        return tackle.windlass.cable_speed;
+    default:
+        return static_cast<double>(tackle.anchor.phase);
+    }
+}
+
 } // namespace
+
+JudgedReport as_judged(const Criterion& criterion, const Heard& report, const exercise::TackleView& tackle,
+                       const Lesson& lesson) {
+    if (criterion.truth == ReportTruth::figure)
+        return judged_figure(criterion, report, truth_of(report, tackle, lesson), tackle);
+    return {.tick = report.tick,
+            .truth = shown_of(report.code, tackle),
+            .top_angle = physics::degrees_from_radians(tackle.chain.top_angle),
+            .growing = report.growing};
+}
 
 void decide(Mark& mark, int milli, std::int64_t tick) {
     mark.milli = milli;
@@ -474,10 +517,14 @@ void take_report(const Criterion& criterion, Mark& mark, const Heard& report, co
             return;
         if (mark.since >= 0) { // the one before did not come true
             ++mark.wrong;
-            judged({.tick = mark.reported, .milli = 0});
+            judged(as_never_true(mark));
         }
         mark.since = look.tick();
         mark.reported = report.tick;
+        if (const exercise::TackleView* tackle = tackle_of(look.seen, criterion.side)) {
+            const JudgedReport said = as_judged(criterion, report, *tackle, look.lesson);
+            mark.shown = said.truth, mark.shown_angle = said.top_angle;
+        }
         return;
     case ReportTruth::state: {
         if (before) return;                               // of something else
@@ -504,20 +551,12 @@ void take_report(const Criterion& criterion, Mark& mark, const Heard& report, co
         if (before) return; // of something else
         if (mark.worst_tick < 0 || figure.off > mark.worst)
             mark.worst = figure.off, mark.worst_tick = look.tick();
-        const int earned = figure.off <= criterion.full_off   ? 1000
-                           : figure.off <= criterion.half_off ? 500
-                                                              : 0;
-        judged({.tick = report.tick,
-                .milli = earned,
-                .code = report.code,
-                .said = figure.said,
-                .truth = figure.truth,
-                .top_angle = physics::degrees_from_radians(tackle.chain.top_angle),
-                .stay = report.stay});
+        const JudgedReport one = judged_figure(criterion, report, figure, tackle);
+        judged(one);
         if (!criterion.orders.empty())
-            return take_for_order(criterion, mark, earned, tackle.chain.cable_out / physics::kShackleLength,
-                                  look.state, look.lesson);
-        return count(criterion, mark, earned, look.tick());
+            return take_for_order(criterion, mark, one.milli,
+                                  tackle.chain.cable_out / physics::kShackleLength, look.state, look.lesson);
+        return count(criterion, mark, one.milli, look.tick());
     }
     }
 }
@@ -530,8 +569,7 @@ void close(const Criterion& criterion, Mark& mark, State& state, const Lesson& l
         const bool false_call = mark.began < 0 && (mark.since >= 0 || mark.wrong > 0);
         const bool no_time =
             mark.began >= 0 && state.tick - mark.began < std::llround(criterion.full * tick_rate);
-        if (mark.began < 0 && mark.since >= 0)
-            keep(criterion, state, lesson, {.tick = mark.reported, .milli = 0});
+        if (mark.began < 0 && mark.since >= 0) keep(criterion, state, lesson, as_never_true(mark));
         if (false_call) return decide(mark, 0, state.tick);
         mark.milli = 0;
         if (mark.wrong == 0 && no_time) mark.state = CriterionState::not_in_play;

@@ -28,6 +28,10 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look);
 /// Takes a report that came at this tick.
 void take_report(const Criterion& criterion, Mark& mark, const Heard& report, const Look& look);
 
+/// What a report says and what is so at this tick; of a figure also what it earns, of anything else nothing.
+JudgedReport as_judged(const Criterion& criterion, const Heard& report, const exercise::TackleView& tackle,
+                       const Lesson& lesson);
+
 /// From this tick on the mark is that, 0..1000.
 void decide(Mark& mark, int milli, std::int64_t tick);
 

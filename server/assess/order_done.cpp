@@ -3,9 +3,11 @@
 #include "server/assess/quantities.hpp"
 #include "server/exercise/picture/snapshot.hpp"
 #include "server/exercise/watch/event_detector.hpp"
+#include "server/physics/base/units.hpp"
 #include "words/words.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace windlass::assess {
 
@@ -17,6 +19,9 @@ using exercise::ReportCode;
 
 constexpr double kEased = 0.85;   // of the hand-wheel: three quarters of a turn off, from where cable may run
 constexpr double kStopped = 0.05; // m/s, of the cable
+constexpr double kStands = 0.1;   // m/s, of a cable that is paid out, which creeps
+constexpr double kAtMark = 0.5;   // shackles beside the ordered ones
+constexpr double kAtMetres = 1;   // m beside the ordered ones
 constexpr double kSoon = 5; // s before levers are where a report has them, in which nobody tells it apart
 
 Bounds above(const char* quantity, double value) {
@@ -75,7 +80,7 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
         done.bounds = {above("brake_position", kHardOn), is_not("stopper_on"), stopped()};
         break;
     case BridgeOrderCode::walk_out:
-        done.bounds = {between("cable_out", order.value - 1, order.value + 1), stopped(),
+        done.bounds = {between("cable_out", order.value - kAtMetres, order.value + kAtMetres), stopped(),
                        above("brake_position", kHardOn)};
         break;
     case BridgeOrderCode::let_go:
@@ -83,16 +88,16 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
         break;
     case BridgeOrderCode::pay_out:
     case BridgeOrderCode::veer:
-        done.bounds = {between("cable_speed", -0.1, 0.1)};
+        done.bounds = {between("cable_speed", -kStands, kStands)};
         if (order.value > 0) // else to what the bridge chooses
-            done.bounds.push_back(between("shackles", order.value - 0.5, order.value + 0.5));
+            done.bounds.push_back(between("shackles", order.value - kAtMark, order.value + kAtMark));
         break;
     case BridgeOrderCode::check:
         done.bounds = {below("cable_speed", 1)};
         break;
     case BridgeOrderCode::hold_on:
         done.bounds = {stopped(), above("brake_position", kHardOn)};
-        if (order.value > 0) done.bounds.push_back(above("shackles", order.value - 0.5));
+        if (order.value > 0) done.bounds.push_back(above("shackles", order.value - kAtMark));
         break;
     case BridgeOrderCode::walk_back:
         done.bounds = {is("clutch_in"), above("cable_speed", 0.02)};
@@ -141,6 +146,40 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
         break; // nothing that the windlass shows
     }
     return done;
+}
+
+bool is_question(BridgeOrderCode code) {
+    return words::row_of(code).repeat <= 0;
+}
+
+bool is_to_a_figure(const exercise::BridgeOrderGiven& order) {
+    switch (order.code) {
+    case BridgeOrderCode::walk_out:
+    case BridgeOrderCode::pay_out:
+    case BridgeOrderCode::veer:
+    case BridgeOrderCode::walk_back:
+    case BridgeOrderCode::hold_on:
+    case BridgeOrderCode::heave_to:
+        return order.value > 0;
+    default:
+        return false;
+    }
+}
+
+bool stands_at_figure(BridgeOrderCode code, double figure, const exercise::TackleView& tackle) {
+    const double more = physics::shackles_from_metres(tackle.chain.cable_out) - figure; // than was ordered
+    const double speed = std::abs(tackle.windlass.cable_speed);
+    const bool braked = speed < kStopped && tackle.windlass.brake_position > kHardOn;
+    switch (code) {
+    case BridgeOrderCode::walk_out:
+        return std::abs(tackle.chain.cable_out - figure) < kAtMetres && braked;
+    case BridgeOrderCode::hold_on:
+        return more > -kAtMark && braked;
+    case BridgeOrderCode::heave_to:
+        return more < kAtMark && speed < kStands;
+    default: // out to it
+        return std::abs(more) < kAtMark && speed < kStands;
+    }
 }
 
 bool lay_usual_truth(Lesson& lesson, Criterion& criterion) {

@@ -310,6 +310,34 @@ std::string lead_words(double clock_hour, double top_angle) {
            std::string(words::kStay.at(words::stay_at(top_angle)).said);
 }
 
+/// How the tackle was, where that is the whole of what a report of something that happens tells.
+std::string shown_words(exercise::ReportCode code, const JudgedReport& report) {
+    using exercise::ReportCode;
+    switch (code) {
+    case ReportCode::let_go:
+    case ReportCode::on_the_bottom:
+    case ReportCode::brought_up:
+    case ReportCode::anchor_aweigh:
+    case ReportCode::clear_anchor:
+    case ReportCode::foul_anchor:
+    case ReportCode::anchor_home:
+    case ReportCode::dragging: {
+        const double last = words::kAnchorPhase.size() - 1.0;
+        const auto phase = static_cast<std::size_t>(std::clamp(report.truth, 0.0, last));
+        return "anchor " + std::string(words::kAnchorPhase.at(phase).said);
+    }
+    case ReportCode::short_stay:
+    case ReportCode::up_and_down:
+        return lead_words(report.truth, report.top_angle);
+    case ReportCode::no_power:
+        return report.truth > 0 ? "motor had power" : "motor had none";
+    case ReportCode::does_not_run:
+        return "cable " + figure_text(report.truth, "m/s");
+    default:
+        return "";
+    }
+}
+
 /// What was reported.
 std::string said_words(const Criterion& criterion, const JudgedReport& report) {
     const bool other = report.code != exercise::ReportCode::text; // shackles, and in another place
@@ -341,10 +369,12 @@ std::string each_report(const State& state, std::size_t criterion, int rate, con
 /// What was so when a report came, with what came to be so after it.
 std::string truth_by_now(const Lesson& lesson, const State& state, const JudgedReport& report, int rate) {
     const Criterion& criterion = lesson.criteria[static_cast<std::size_t>(report.criterion)];
-    if (criterion.truth != ReportTruth::moment || report.so >= 0) return truth_words(lesson, report, rate);
+    if (criterion.truth != ReportTruth::moment || report.so >= 0)
+        return truth_words(lesson, criterion, report, rate);
     const std::int64_t so = state.moments[static_cast<std::size_t>(criterion.truth_moment)].first;
     if (so > report.tick) return "and it was not so until " + clock(so, rate);
-    return state.ending != Ending::none && so < 0 ? "and it never was so" : truth_words(lesson, report, rate);
+    return state.ending != Ending::none && so < 0 ? "and it never was so"
+                                                  : truth_words(lesson, criterion, report, rate);
 }
 
 std::string report_words(const Lesson& lesson, const State& state, std::size_t k, int rate) {
@@ -447,11 +477,14 @@ std::string question_words(const Lesson& lesson, const State& state, const Crite
 
 } // namespace
 
-std::string truth_words(const Lesson& lesson, const JudgedReport& report, int tick_rate) {
-    const Criterion& criterion = lesson.criteria[static_cast<std::size_t>(report.criterion)];
+std::string truth_words(const Lesson& lesson, const Criterion& criterion, const JudgedReport& report,
+                        int tick_rate) {
     switch (criterion.truth) {
     case ReportTruth::moment: {
-        if (report.so < 0) return "and it was not so then"; // it may have come to be so since
+        if (report.so < 0) { // it may have come to be so since
+            const std::string shown = shown_words(criterion.report, report);
+            return "and it was not so then" + (shown.empty() ? "" : ": " + shown);
+        }
         const std::int64_t after = report.tick - report.so;
         return seconds(std::abs(after), tick_rate) + (after < 0 ? " before" : " after") + " it was so, at " +
                clock(report.so, tick_rate);
@@ -510,9 +543,12 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
         break;
     }
     if (text.size() > kMostBytes) text = whole_clauses(text, kMostBytes) + " ...";
-    const std::string points = mark.state == CriterionState::not_in_play ? "" : lost(criterion, mark);
+    const bool left_out = was_left_out(lesson, state, k);
+    if (left_out) text = "it never came to that";
+    const bool judged = left_out || mark.state != CriterionState::not_in_play;
+    const std::string points = judged ? lost(criterion, mark) : "";
     text += (text.empty() || points.empty() ? "" : ": ") + points;
-    const bool missed = mark.state != CriterionState::not_in_play && !is_met(mark.milli);
+    const bool missed = judged && !is_met(mark.milli);
     if (criterion.must && missed && state.ending != Ending::none) text += "; a must";
     if (mark.overridden) text += (text.empty() ? "" : "; ") + mark.by + ": " + mark.note;
     return text;

@@ -34,17 +34,39 @@ bool is_safeguard(const Criterion& criterion, const Mark& mark) {
     }
 }
 
+/// Whether it counts what the lesson never came to. One that is ended early is marked as far as it went,
+/// unless nothing of what was to be done had been begun.
+bool counts_what_was_left_out(const Lesson& lesson, const State& state) {
+    if (state.ending == Ending::none) return false;
+    if (state.ending != Ending::instructor) return true;
+    bool waits = false; // for a deed
+    for (std::size_t k = 0; k < lesson.criteria.size(); ++k) {
+        if (is_safeguard(lesson.criteria[k], state.marks[k])) continue;
+        if (counted(state.marks[k], true)) return false;
+        waits = waits || lesson.criteria[k].must;
+    }
+    return waits;
+}
+
+/// Of which marks a sum is made.
+struct Which {
+    bool with_overrides = true;
+    const std::string* objective = nullptr; ///< of one alone; nullptr: of all
+    bool left_out = false;                  ///< also of the musts that were never shown, which earn nothing
+};
+
 /// Weights and marks of what came into play: of what was to be done, and of what only guards it.
 struct Sums {
     std::int64_t deeds = 0, done = 0; ///< weights; weights by thousandths
     std::int64_t guards = 0, kept = 0;
 };
-Sums sums_of(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
+Sums sums_of(const Lesson& lesson, const State& state, const Which& of) {
     Sums sums;
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k) {
         const Criterion& criterion = lesson.criteria[k];
-        const auto milli = counted(state.marks[k], with_overrides);
-        if (!milli || (objective != nullptr && criterion.objective != *objective)) continue;
+        auto milli = counted(state.marks[k], of.with_overrides);
+        if (of.left_out && was_left_out(lesson, state, k, of.with_overrides)) milli = 0;
+        if (!milli || (of.objective != nullptr && criterion.objective != *of.objective)) continue;
         const bool guards = is_safeguard(criterion, state.marks[k]);
         (guards ? sums.guards : sums.deeds) += criterion.weight;
         (guards ? sums.kept : sums.done) += std::int64_t{criterion.weight} * *milli;
@@ -75,12 +97,12 @@ struct Share {
     }
 };
 
-/// What those criteria that came into play have earned. What only guards earns in the measure in which
-/// something was done.
-Share earned(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
-    const Sums sums = sums_of(lesson, state, with_overrides, objective);
+/// What those criteria have earned. What only guards earns in the measure in which something was done.
+Share earned(const Lesson& lesson, const State& state, const Which& of) {
+    const Sums sums = sums_of(lesson, state, of);
     Sums whole = sums;
-    if (objective != nullptr && sums.deeds == 0) whole = sums_of(lesson, state, with_overrides, nullptr);
+    if (of.objective != nullptr && sums.deeds == 0)
+        whole = sums_of(lesson, state, {.with_overrides = of.with_overrides, .left_out = of.left_out});
     // Nothing was to be done in it: what guards stands for itself.
     const std::int64_t kept = whole.deeds > 0 ? sums.kept * whole.done / whole.deeds : 1000 * sums.kept;
     return {1000 * sums.done + kept, 1000 * (sums.deeds + sums.guards)};
@@ -89,24 +111,25 @@ Share earned(const Lesson& lesson, const State& state, bool with_overrides, cons
 /// Whether one of what is to be learnt was shown, and not well enough.
 bool misses_an_objective(const Lesson& lesson, const State& state, bool with_overrides) {
     return std::ranges::any_of(lesson.objectives, [&](const Objective& one) {
-        const Share share = earned(lesson, state, with_overrides, &one.id);
+        const Share share = earned(lesson, state, {.with_overrides = with_overrides, .objective = &one.id});
         return share.whole > 0 && share.tenths() < 10 * one.pass;
     });
 }
 
 /// Tenths of a point of 100. A must or an objective that was missed or not shown, or a bridge that was left
-/// without an answer, halves them, so that no such attempt lies above one without.
+/// without an answer, halves them, so that no such attempt lies above one without. A must that was not shown
+/// earns nothing besides: what a crew never comes to, because it does nothing, would else not count.
 int tenths_of(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
     const bool missed =
         musts(lesson, state, with_overrides, objective) != Outcome::achieved ||
         (objective == nullptr && (state.gave_up || misses_an_objective(lesson, state, with_overrides)));
-    return earned(lesson, state, with_overrides, objective)
+    return earned(lesson, state, {.with_overrides = with_overrides, .objective = objective, .left_out = true})
         .tenths(state.ending != Ending::none && missed ? 2 : 1);
 }
 
 /// Whether anything was done or said that earns a mark, or done that must not be.
 bool shows_anything(const Lesson& lesson, const State& state) {
-    const Sums sums = sums_of(lesson, state, true, nullptr);
+    const Sums sums = sums_of(lesson, state, {});
     if (sums.done > 0 || sums.deeds == 0) return true;
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k) {
         const auto milli = counted(state.marks[k], true);
@@ -125,7 +148,7 @@ Outcome outcome_of(const Lesson& lesson, const State& state, const std::string* 
         shown = shown || ((objective == nullptr || lesson.criteria[k].objective == *objective) &&
                           counted(state.marks[k], true));
     if (!shown) return Outcome::not_shown;
-    return earned(lesson, state, true, objective).tenths() < 10 * pass ? Outcome::not_yet : outcome;
+    return earned(lesson, state, {.objective = objective}).tenths() < 10 * pass ? Outcome::not_yet : outcome;
 }
 
 /// When a criterion first went wrong; -1: it did not.
@@ -167,7 +190,8 @@ CriterionResult criterion_result(const Lesson& lesson, const State& state, std::
     const Criterion& criterion = lesson.criteria[k];
     const Mark& mark = state.marks[k];
     const bool limited = criterion.kind == CriterionKind::limit;
-    const auto milli = counted(mark, true);
+    const bool left_out = was_left_out(lesson, state, k);
+    const auto milli = left_out ? std::optional(0) : counted(mark, true);
     return {.code = criterion.id,
             .text = criterion.text,
             .objective = criterion.objective,
@@ -187,7 +211,7 @@ CriterionResult criterion_result(const Lesson& lesson, const State& state, std::
             .met = milli && is_met(*milli),
             .must = criterion.must,
             .deed = !is_safeguard(criterion, mark),
-            .tick = wire_tick(mark.decided),
+            .tick = wire_tick(left_out ? state.ended : mark.decided),
             .lost_tick = wire_tick(first_loss(lesson, state, k))};
 }
 
@@ -210,6 +234,9 @@ std::vector<OrderDoneResult> orders_done(const State& state) {
     std::vector<OrderDoneResult> all;
     for (const OrderCourse& course : state.orders)
         if (course.given >= 0) all.push_back({course.number, wire_tick(course.done)});
+    for (const FurtherOrder& order : state.further)
+        all.push_back({order.number, wire_tick(order.done)});
+    if (!state.further.empty()) std::ranges::stable_sort(all, {}, &OrderDoneResult::number);
     return all;
 }
 
@@ -240,13 +267,13 @@ std::vector<HintResult> hints_given(const Lesson& lesson, const State& state) {
     return all;
 }
 
-ReportResult report_result(const Lesson& lesson, const JudgedReport& report, int tick_rate) {
-    const Criterion& criterion = lesson.criteria[static_cast<std::size_t>(report.criterion)];
+ReportResult report_result(const Lesson& lesson, const Criterion& criterion, const JudgedReport& report,
+                           int tick_rate) {
     ReportResult to{.tick = wire_tick(report.tick),
                     .code = report.code == exercise::ReportCode::text ? criterion.report : report.code,
                     .side = criterion.side,
                     .criterion = criterion.id,
-                    .text = truth_words(lesson, report, tick_rate),
+                    .text = truth_words(lesson, criterion, report, tick_rate),
                     .milli = report.milli,
                     .delay = {},
                     .truth = {}};
@@ -270,6 +297,14 @@ const char* outcome_name(Outcome outcome) {
         break;
     }
     return "";
+}
+
+bool was_left_out(const Lesson& lesson, const State& state, std::size_t criterion, bool with_overrides) {
+    const Mark& mark = state.marks[criterion];
+    if (!lesson.criteria[criterion].must || (with_overrides && mark.overridden)) return false;
+    // What came into play and was cut off is another matter: nobody knows how it would have been.
+    const bool came = mark.state != CriterionState::not_in_play || mark.began >= 0;
+    return !came && counts_what_was_left_out(lesson, state);
 }
 
 std::optional<bool> verdict(const Lesson& lesson, const State& state, std::size_t criterion, int milli) {
@@ -305,7 +340,11 @@ Result result(const Lesson& lesson, const State& state, int tick_rate) {
                   .practice = lesson.practice,
                   .hints = hints_given(lesson, state)};
     for (const JudgedReport& report : state.judged)
-        result.reports.push_back(report_result(lesson, report, tick_rate));
+        result.reports.push_back(report_result(
+            lesson, lesson.criteria[static_cast<std::size_t>(report.criterion)], report, tick_rate));
+    for (const JudgedReport& report : state.unasked)
+        result.reports.push_back(report_result(
+            lesson, lesson.unasked[static_cast<std::size_t>(report.criterion)], report, tick_rate));
     std::ranges::stable_sort(result.reports, {}, &ReportResult::tick);
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k)
         result.criteria.push_back(criterion_result(lesson, state, k, tick_rate));

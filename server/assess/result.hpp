@@ -80,13 +80,19 @@ const char* outcome_name(Outcome outcome);
 /// tick_rate: Hz.
 Result result(const Lesson& lesson, const State& state, int tick_rate);
 
+/// Whether it is a must that never came into play in a lesson that is over: nobody has shown it. It counts,
+/// and earns nothing.
+bool was_left_out(const Lesson& lesson, const State& state, std::size_t criterion,
+                  bool with_overrides = true);
+
 /// Whether a mark can still come to be `milli`, or is; nothing: that is open.
 std::optional<bool> verdict(const Lesson& lesson, const State& state, std::size_t criterion, int milli);
 
 /// Why the mark is what it is: "0:41 worst 6.9 m/s, at most 5.5; 3.2 s beyond: 20 of 100 lost".
 std::string reason(const Lesson& lesson, const State& state, std::size_t criterion, int tick_rate);
 
-/// What was so when that report came: "3.6 shackles", "it never was so".
-std::string truth_words(const Lesson& lesson, const JudgedReport& report, int tick_rate);
+/// What was so when that report came: "3.6 shackles", "it never was so". criterion: that it was held against.
+std::string truth_words(const Lesson& lesson, const Criterion& criterion, const JudgedReport& report,
+                        int tick_rate);
 
 } // namespace windlass::assess

@@ -28,6 +28,13 @@ void visit_came(Visitor& v, const char* name, List& list) {
     }
 }
 
+template <class Visitor, class Report>
+void visit_judged(Visitor& v, Report& report) {
+    auto& [criterion, came, milli, code, so, said, truth, top_angle, missing, stay, growing] = report;
+    WINDLASS_STATE(v, criterion, came, milli, so, said, truth, top_angle, missing, stay, growing);
+    v.whole({"code"}, code);
+}
+
 } // namespace
 
 State fresh(const Lesson& lesson) {
@@ -49,8 +56,8 @@ template <class Visitor, physics::StateOf<State> Self>
 void visit_state(Visitor& v, Self& self) {
     auto& [begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up, seed,
            own_due, intervened, question, heard_at, spoke_at, told, confirmed, events, reports, moments,
-           orders, faults, fault_since, marks, held, hints, heard, judged, growth, questions, aids, ghost_on,
-           hint_asked] = self;
+           orders, further, faults, fault_since, marks, held, hints, heard, judged, waiting, unasked, growth,
+           questions, aids, ghost_on, hint_asked] = self;
     WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up,
                    seed, own_due, intervened, question, heard_at, spoke_at, confirmed);
     for (auto& shackles : told)
@@ -65,10 +72,20 @@ void visit_state(Visitor& v, Self& self) {
     for (auto& order : orders) {
         auto& [asked_for, number, given, repeated, done, each_since, each_done, in_time, misrepeated,
                wrong_now, do_by, answered, short_of, was_so, skipped, unsafe, doubted, proposed,
-               proposed_value, challenged] = order;
+               proposed_value, challenged, figure] = order;
         WINDLASS_STATE(v, asked_for, number, given, repeated, done, in_time, misrepeated, wrong_now, do_by,
                        answered, short_of, was_so, skipped, unsafe, doubted, proposed, proposed_value,
-                       challenged);
+                       challenged, figure);
+        for (auto* each : {&each_since, &each_done})
+            for (auto& tick : *each)
+                v.field({"each"}, tick);
+    }
+    v.length({"further"}, further, kMostOrders);
+    for (auto& order : further) {
+        auto& [number, code, side, figure, done, each_since, each_done] = order;
+        WINDLASS_STATE(v, number, side, figure, done);
+        v.whole({"code"}, code);
+        v.within({"side"}, side, -1, 1);
         for (auto* each : {&each_since, &each_done})
             for (auto& tick : *each)
                 v.field({"each"}, tick);
@@ -82,10 +99,11 @@ void visit_state(Visitor& v, Self& self) {
     sized(v, "marks", marks);
     for (auto& mark : marks) {
         auto& [state, milli, decided, began, outside, since, worst, worst_tick, missing, step, wrong, holds,
-               once_held, acted, slots, pending, said, reported, overridden, given_milli, note, by] = mark;
+               once_held, acted, slots, pending, said, reported, shown, shown_angle, overridden, given_milli,
+               note, by] = mark;
         WINDLASS_STATE(v, state, milli, decided, began, outside, since, worst, worst_tick, missing, step,
-                       wrong, holds, once_held, acted, slots, pending, said, reported, overridden,
-                       given_milli, note, by);
+                       wrong, holds, once_held, acted, slots, pending, said, reported, shown, shown_angle,
+                       overridden, given_milli, note, by);
         v.within({"milli"}, milli, 0, 1000);
         v.within({"given_milli"}, given_milli, -1, 1000);
         v.within({"step"}, step, 0, 1'000'000);
@@ -108,11 +126,15 @@ void visit_state(Visitor& v, Self& self) {
     }
     v.length({"judged"}, judged, kMostJudged);
     for (auto& report : judged) {
-        auto& [criterion, came, milli, code, so, said, truth, top_angle, missing, stay, growing] = report;
-        WINDLASS_STATE(v, criterion, came, milli, so, said, truth, top_angle, missing, stay, growing);
-        v.whole({"code"}, code);
-        v.within({"criterion"}, criterion, 0, static_cast<int>(marks.size()) - 1);
+        visit_judged(v, report);
+        v.within({"criterion"}, report.criterion, 0, static_cast<int>(marks.size()) - 1);
     }
+    v.length({"waiting"}, waiting, kMostUnasked);
+    for (auto& report : waiting)
+        visit_judged(v, report);
+    v.length({"unasked"}, unasked, kMostUnasked);
+    for (auto& report : unasked)
+        visit_judged(v, report);
     for (auto& side : growth)
         v.field({"growth"}, side);
     sized(v, "questions", questions);

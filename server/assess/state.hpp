@@ -38,7 +38,21 @@ struct OrderCourse {
     exercise::BridgeOrderCode proposed = exercise::BridgeOrderCode::text; ///< instead of it; text: nothing
     double proposed_value = 0;                                            ///< figure of what was proposed
     std::int64_t challenged = -1; ///< when the bridge took it back because it was unsafe
+    double figure = 0; ///< that a bridge which is manned has put to an order that has none; 0: none
 };
+
+/// What a bridge that is manned orders besides: once more, another length, or what the lesson does not wait
+/// for.
+struct FurtherOrder {
+    int number = 0; ///< of the BridgeOrder
+    exercise::BridgeOrderCode code = exercise::BridgeOrderCode::text;
+    int side = -1;
+    double figure = 0;                              ///< that it is to; 0: none
+    std::int64_t done = -1;                         ///< by all that it is to; of a question: answered
+    std::array<std::int64_t, 2> each_since{-1, -1}; ///< port, starboard: has held since
+    std::array<std::int64_t, 2> each_done{-1, -1};  ///< the same: carried out
+};
+inline constexpr std::size_t kMostOrders = 64; ///< in all, the first of them; of the IDL
 
 /// An order to pay out that the bridge has left out because of a report that was not so: who lied has not
 /// carried it out.
@@ -68,8 +82,9 @@ struct Mark {
     std::int64_t pending = -1; ///< report of a state that was not so yet: when it came
     exercise::Growing said = exercise::Growing::not_given; ///< reported, and waits for its ten seconds
     std::int64_t reported = -1;                            ///< when the report came that waits for its truth
-    bool overridden = false;                               ///< an assessor's word stands in its place
-    int given_milli = 0;                                   ///< by him; -1: not applicable
+    double shown = 0, shown_angle = 0; ///< report of a moment: what the tackle showed then (JudgedReport)
+    bool overridden = false;           ///< an assessor's word stands in its place
+    int given_milli = 0;               ///< by him; -1: not applicable
     std::string note{}, by{};
 };
 
@@ -100,8 +115,10 @@ struct JudgedReport {
     std::int64_t so =
         -1;           ///< when that came to be so which it tells; -1: it never was, or tells no such thing
     double said = 0;  ///< figure: as reported; of a lead the hour, of a weight its class
-    double truth = 0; ///< figure: what was so, as `said`; state: what the `missing` part was
-    double top_angle = 0; ///< deg, of the cable below the horizontal, where a lead is reported
+    double truth = 0; ///< figure: what was so, as `said`; state: what the `missing` part was; moment: what
+                      ///< the tackle showed, of a lead its hour, of a drive whether it had power, of a
+                      ///< cable that does not run its speed, else the anchor's phase
+    double top_angle = 0; ///< deg, of the cable below the horizontal
     int missing = -1;     ///< state: part of the condition that did not hold
     exercise::StayGiven stay = exercise::StayGiven::not_given;
     exercise::Growing growing = exercise::Growing::not_given;
@@ -141,6 +158,7 @@ struct AidTaken {
 inline constexpr std::size_t kMostAids = 32; ///< the first of them; of the IDL
 
 inline constexpr std::size_t kMostJudged = 256; ///< reports, the first of them; of the IDL
+inline constexpr std::size_t kMostUnasked = 64; ///< of those that no criterion asks for, the false ones
 
 enum class Ending { none, good, time, abort, instructor };
 constexpr Ending last_of(Ending) {
@@ -167,6 +185,7 @@ struct State {
     bool confirmed = false;
     std::vector<Came> events, reports, moments;
     std::vector<OrderCourse> orders;
+    std::vector<FurtherOrder> further;     ///< by their numbers
     std::vector<int> faults;               ///< 0 to come, 1 there, 2 gone
     std::vector<std::int64_t> fault_since; ///< when its condition first held; -1: it has not
     std::vector<Mark> marks;
@@ -174,7 +193,10 @@ struct State {
     std::vector<std::int64_t> hints; ///< when each was given; -1: it was not
     std::vector<Heard> heard;
     std::vector<JudgedReport> judged; ///< by when they were judged
-    std::array<Growth, 2> growth{};   ///< port, starboard
+    /// Reports that no criterion asks for; `criterion` is a place in Lesson::unasked. Those that may come to
+    /// be so yet, and those that were false.
+    std::vector<JudgedReport> waiting, unasked;
+    std::array<Growth, 2> growth{}; ///< port, starboard
     std::vector<QuestionCourse> questions;
     std::vector<AidTaken> aids;
     std::array<bool, 2> ghost_on{};                 ///< forecastle, bridge

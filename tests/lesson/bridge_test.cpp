@@ -1,5 +1,6 @@
 // The bridge of a lesson over made pictures: what it says to what it hears, and when it gives up.
 
+#include "server/assess/bridge.hpp"
 #include "tests/lesson/course.hpp"
 
 #include <gtest/gtest.h>
@@ -69,6 +70,28 @@ TEST(Bridge, AsksHowMuchIsOutThreeTimesAndThenGivesUp) {
     EXPECT_TRUE(bridge.now().finished);
     EXPECT_EQ(bridge.now().ending, Ending::time);
     EXPECT_NE(bridge.now().abort.find("no answer to"), std::string::npos) << bridge.now().abort;
+}
+
+TEST(Bridge, SaysBeforehandWhenItGivesUp) {
+    for (const auto repeated : {BridgeOrderState::given, BridgeOrderState::repeated}) {
+        Bridge bridge(kPayOut);
+        std::vector<std::int64_t> told;
+        while (bridge.state().ending == Ending::none && bridge.state().tick < 6000) {
+            bridge.on(0.1, repeated);
+            const std::int64_t at = gives_up_at(bridge.taught(), bridge.state(), kRate);
+            if (at >= 0) told.push_back(at);
+        }
+        ASSERT_FALSE(told.empty());
+        EXPECT_EQ(bridge.state().ending, Ending::time);
+        EXPECT_EQ(told.front(), bridge.state().ended) << "from the first time that it asks";
+        EXPECT_EQ(told.back(), bridge.state().ended);
+    }
+    Bridge heard(kPayOut);
+    heard.on(70);
+    ASSERT_GT(heard.state().asked, 0);
+    heard.report(ReportCode::shackles_in_pipe, 2);
+    heard.on(0.2);
+    EXPECT_EQ(gives_up_at(heard.taught(), heard.state(), kRate), -1);
 }
 
 TEST(Bridge, RenewsAnOrderThatWasCarriedOutInPart) {
@@ -374,6 +397,74 @@ TEST(Bridge, ThatIsMannedIsHeardWhenItTakesBackWhatIsUnsafe) {
     bridge.on(1);
     EXPECT_GE(bridge.state().orders[0].challenged, 0);
     EXPECT_TRUE(bridge.said.empty());
+}
+
+namespace {
+
+/// A bridge with a man on it, whose lengths the lesson leaves to him.
+class Manned : public Bridge {
+public:
+    Manned()
+        : Bridge(R"({"id": "T", "bridge": "manned", "orders": [{"id": "pay-out", "code": "pay_out"}],
+            "criteria": [{"id": "o", "kind": "order", "orders": "pay-out"}], "end": {"time": 3000}})") {}
+    void order(BridgeOrderCode code, double value = 0) {
+        auto& all = seen().bridge_orders;
+        all.push_back({.number = static_cast<int>(all.size()) + 1,
+                       .tick = seen().tick,
+                       .time = seen().time,
+                       .given = {.code = code, .side = 0, .value = value},
+                       .state = BridgeOrderState::repeated});
+        on(5);
+    }
+    /// Whether the order in that place of the list is carried out.
+    bool is_done(std::size_t place) const { return now().orders.at(place).tick > 0; }
+};
+
+} // namespace
+
+TEST(Bridge, ThatIsMannedHasPaidOutWhatItOrderedOnceTheCableStandsThere) {
+    Manned bridge;
+    bridge.order(BridgeOrderCode::pay_out, 4);
+    ASSERT_EQ(bridge.now().orders.size(), 1U);
+    EXPECT_FALSE(bridge.is_done(0)) << "the cable stands, and not there";
+    bridge.chain().cable_out = 4 * 27.5;
+    bridge.on(5);
+    EXPECT_TRUE(bridge.is_done(0));
+    bridge.order(BridgeOrderCode::pay_out, 6);
+    ASSERT_EQ(bridge.now().orders.size(), 2U) << "of which the lesson knows one";
+    EXPECT_FALSE(bridge.is_done(1));
+    bridge.chain().cable_out = 6 * 27.5;
+    bridge.on(5);
+    EXPECT_TRUE(bridge.is_done(1));
+}
+
+TEST(Bridge, ThatIsMannedHasEachOfItsOrdersInTheListThatAWindlassShowsOrAReportAnswers) {
+    Manned bridge;
+    bridge.windlass().clutch = exercise::ClutchState::out;
+    bridge.order(BridgeOrderCode::gear_in);
+    bridge.order(BridgeOrderCode::how_leading);
+    bridge.order(BridgeOrderCode::stand_clear);
+    ASSERT_EQ(bridge.now().orders.size(), 2U) << "who stands clear no windlass shows";
+    EXPECT_EQ(bridge.now().orders[1].number, 2);
+    EXPECT_FALSE(bridge.is_done(0));
+    EXPECT_FALSE(bridge.is_done(1));
+    bridge.windlass().clutch = exercise::ClutchState::in;
+    bridge.report(exercise::ReportMade{.code = ReportCode::lead, .side = 0, .lead = 12});
+    bridge.on(5);
+    EXPECT_TRUE(bridge.is_done(0));
+    EXPECT_TRUE(bridge.is_done(1));
+}
+
+TEST(Bridge, ThatIsMannedHeavesToAFigureUntilTheCableIsInToIt) {
+    Manned bridge;
+    bridge.chain().cable_out = 6 * 27.5;
+    bridge.windlass().cable_speed = -0.15;
+    bridge.order(BridgeOrderCode::heave_to, 2);
+    EXPECT_FALSE(bridge.is_done(0)) << "it comes, and is not in";
+    bridge.chain().cable_out = 2 * 27.5;
+    bridge.windlass().cable_speed = 0;
+    bridge.on(5);
+    EXPECT_TRUE(bridge.is_done(0));
 }
 
 TEST(Bridge, ThatIsMannedSaysNothingByItself) {

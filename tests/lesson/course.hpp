@@ -48,6 +48,7 @@ public:
     void say(const exercise::AnswerGiven& answer) { hear(lesson_, state_, answer, rate_); }
     int open_question(bool forecastle) const { return assess::open_question(lesson_, state_, forecastle); }
     const State& state() const { return state_; }
+    const Lesson& taught() const { return lesson_; }
     Result now() const { return result(lesson_, state_, rate_); }
     CriterionResult mark(std::size_t k = 0) const { return now().criteria.at(k); }
 

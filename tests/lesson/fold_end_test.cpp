@@ -161,6 +161,48 @@ TEST(Assessment, WhatNeverCameIntoPlayIsNotShown) {
     EXPECT_EQ(course.now().outcome, Outcome::not_shown);
 }
 
+// L27 once gave 25 points to a crew that repeated two orders and did nothing: it never came to the rest.
+TEST(Assessment, MustThatALessonNeverCameToEarnsNothingOfTheWhole) {
+    const std::string text = lesson(
+        R"({"id": "a", "kind": "final", "that": {"stopper": "on"}, "weight": 10},
+           {"id": "b", "kind": "state_at", "at": "bottom", "that": {"brake_position": {"above": 0.9}},
+            "weight": 90, "must": true})",
+        R"(, "end": {"time": 10})");
+    const auto work = [](Course& course) {
+        course.windlass().stopper_closed = false;
+        course.windlass().brake_position = 0;
+        course.run(1);
+        course.windlass().stopper_closed = true;
+        course.run(1);
+    };
+    Course course(text);
+    work(course);
+    course.run(10);
+    EXPECT_EQ(course.now().tenths, 50) << "half of ten in a hundred";
+    EXPECT_EQ(course.now().outcome, Outcome::not_shown);
+    EXPECT_EQ(course.mark(1).state, CriterionState::not_in_play);
+    EXPECT_TRUE(course.mark(1).counts);
+    EXPECT_EQ(course.mark(1).reason, "it never came to that: 90 of 90 points lost; a must");
+    Course early(text);
+    work(early);
+    early.end();
+    EXPECT_EQ(early.now().tenths, 500) << "ended early it is marked as far as it went";
+    EXPECT_FALSE(early.mark(1).counts);
+}
+
+TEST(Assessment, WhatOnlyGuardsEarnsNothingWhereNothingWasBegun) {
+    Course course(lesson(
+        R"({"id": "p", "kind": "prohibited", "that": {"clutch": "in"}},
+           {"id": "b", "kind": "state_at", "at": "bottom", "that": {"stopper": "on"}, "must": true})"));
+    course.windlass().clutch = exercise::ClutchState::out;
+    course.windlass().stopper_closed = false;
+    course.run(5);
+    course.end();
+    EXPECT_EQ(course.mark(0).milli, 1000);
+    EXPECT_EQ(course.now().tenths, 0);
+    EXPECT_EQ(course.now().outcome, Outcome::not_shown);
+}
+
 // What no figure says is the assessor's: until he speaks it neither earns nor costs.
 TEST(Assessment, RubricCountsOnceTheAssessorHasSpoken) {
     Course course(lesson(R"({"id": "a", "kind": "final", "that": {"stopper": "on"}},
@@ -179,6 +221,28 @@ TEST(Assessment, RubricCountsOnceTheAssessorHasSpoken) {
     EXPECT_EQ(course.now().tenths, 500);
     EXPECT_EQ(course.now().tenths_computed, 1000);
     EXPECT_FALSE(course.mark(1).met);
+}
+
+// Who confirms a criterion, or the whole, changes nothing of what stands.
+TEST(Assessment, ConfirmedOnceMoreAnAssessorsWordStands) {
+    using exercise::AssessorVerdict;
+    Course course(lesson(R"({"id": "a", "kind": "final", "that": {"stopper": "on"}},
+                            {"id": "b", "kind": "final", "that": {"brake_position": {"above": 0.9}}})"));
+    course.windlass().stopper_closed = false;
+    course.windlass().brake_position = 0;
+    course.run(1);
+    course.end();
+    course.say(
+        {.criterion = "a", .verdict = AssessorVerdict::points, .milli = 400, .note = "in part", .by = "Ann"});
+    EXPECT_EQ(course.now().tenths, 200);
+    for (const char* criterion : {"", "a", "b", ""})
+        course.say({.criterion = criterion,
+                    .verdict = AssessorVerdict::confirmed,
+                    .note = "as it stands",
+                    .by = "Ben"});
+    EXPECT_EQ(course.mark(0).counted, 400);
+    EXPECT_EQ(course.mark(1).counted, 0) << "as it was computed";
+    EXPECT_EQ(course.now().tenths, 200);
 }
 
 TEST(Assessment, AssessorsWordStandsBesideTheComputedMark) {

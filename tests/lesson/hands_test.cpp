@@ -89,6 +89,25 @@ TEST(GenericHands, OfWhichALessonSaysWhatItShouldMakeOfThem) {
         }
 }
 
+// The bridge gives two orders, the forecastle repeats them, and nothing is done: 25 points once.
+TEST(MannedBridge, WhoseCrewRepeatsAndDoesNothingGetsNearlyNothing) {
+    const LessonFile file = read_lesson_file(fs::path(WINDLASS_CONFIG_DIR) / "exercises/L27_the_conn.json");
+    trainee::Script bridge{.title = {}, .repeats_orders = {}, .conns = true, .steps = {}};
+    for (const BridgeOrderCode code : {BRIDGE_ORDER_STAND_BY, BRIDGE_ORDER_LET_GO}) {
+        trainee::Step step;
+        step.when.after = 10;
+        step.order = trainee::BridgesOrder{.code = code, .side = {}, .text = {}};
+        step.timeout = 1e9;
+        bridge.steps.push_back(step);
+    }
+    const trainee::Script forecastle{.title = {}, .repeats_orders = 2, .steps = {}};
+    const auto played = lesson::play(file.def, std::vector{bridge, forecastle});
+    EXPECT_LT(played.result.tenths, 10 * lesson::kIdleMost);
+    EXPECT_NE(played.result.outcome, assess::Outcome::achieved);
+    bridge.steps.pop_back();
+    EXPECT_EQ(lesson::play(file.def, std::vector{bridge, forecastle}).result.tenths, 0);
+}
+
 // What --output writes.
 TEST(HandsTable, SaysOfEachLessonAndHandWhatItGotAndShould) {
     using lesson::Should;

@@ -372,6 +372,75 @@ TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
     EXPECT_NEAR(missed.now().reports[0].delay.value(), 39.9, 1e-9);
 }
 
+// What was so beside a report that was not: as the debriefing has it of one that nobody judges.
+TEST(Reports, ThatWereNotSoSayHowAnchorOrCableWas) {
+    Course called(reporting("brought_up"));
+    called.seen().tackle[0].anchor.phase = exercise::AnchorPhase::dragging;
+    called.run(3);
+    called.report(ReportCode::brought_up);
+    called.run(1);
+    called.seen().tackle[0].anchor.phase = exercise::AnchorPhase::holding; // later is later
+    called.end();
+    ASSERT_EQ(called.now().reports.size(), 1U);
+    EXPECT_EQ(called.now().reports[0].text, "and it was not so then: anchor dragging");
+    Course short_stay(reporting("short_stay"));
+    short_stay.chain().lead_clock = 12;
+    short_stay.chain().top_angle = 0.1;
+    short_stay.run(3);
+    short_stay.report(ReportCode::short_stay);
+    short_stay.run(1);
+    short_stay.end();
+    ASSERT_EQ(short_stay.now().reports.size(), 1U);
+    EXPECT_EQ(short_stay.now().reports[0].text, "and it was not so then: it led 12 o'clock, long stay");
+}
+
+TEST(Reports, ThatNobodyAskedForAreToldWhereTheyWereFalseAndCostNothing) {
+    Course course(reporting("secured"));
+    course.seen().tackle[0].anchor.phase = exercise::AnchorPhase::hanging;
+    course.chain().cable_out = 4 * 27.5 - 1.5; // the fourth mark in the pipe
+    course.run(1);
+    const CriterionResult before = course.mark();
+    course.report(ReportCode::on_the_bottom);
+    course.report(ReportCode::shackles_in_pipe, 6);
+    course.run(2);
+    ASSERT_EQ(course.now().reports.size(), 1U) << "it may be on the bottom within three seconds";
+    course.run(2);
+    const auto reports = course.now().reports;
+    ASSERT_EQ(reports.size(), 2U);
+    for (const ReportResult& one : reports) {
+        EXPECT_EQ(one.criterion, "");
+        EXPECT_EQ(one.milli, 0);
+        const bool figure = one.code == ReportCode::shackles_in_pipe;
+        EXPECT_EQ(one.text, figure ? "4 were so" : "and it was not so then: anchor hanging");
+    }
+    EXPECT_EQ(course.mark().milli, before.milli);
+    EXPECT_EQ(course.mark().state, before.state);
+}
+
+TEST(Reports, ThatNobodyAskedForAreNotToldWhereTheyWereSo) {
+    Course rode(reporting("secured")); // at anchor before it began
+    rode.seen().tackle[0].anchor.phase = exercise::AnchorPhase::holding;
+    rode.chain().cable_out = 4 * 27.5 - 1.5;
+    rode.run(1);
+    rode.report(ReportCode::brought_up);
+    rode.report(ReportCode::on_the_bottom);
+    rode.report(ReportCode::shackles_in_pipe, 4);
+    rode.run(100);
+    EXPECT_TRUE(rode.now().reports.empty());
+    Course fell(reporting("secured"));
+    fell.seen().tackle[0].anchor.phase = exercise::AnchorPhase::hanging;
+    fell.run(1);
+    fell.report(ReportCode::on_the_bottom); // and two seconds later it is
+    fell.run(2);
+    fell.event("anchor.on_bottom");
+    fell.run(10);
+    EXPECT_TRUE(fell.now().reports.empty());
+    fell.seen().tackle[0].anchor.phase = exercise::AnchorPhase::on_bottom;
+    fell.report(ReportCode::brought_up);
+    fell.run(100);
+    ASSERT_EQ(fell.now().reports.size(), 1U) << "she lies on it, and is not brought up";
+}
+
 // Two false calls before the truth, the first of which the second took the place of: it is not said to have
 // never come true.
 TEST(Reports, MadeBeforeItWasSoAreToldWhenItCameToBeSo) {

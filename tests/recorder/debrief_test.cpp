@@ -31,6 +31,7 @@ namespace {
 
 using test::DebriefedRun;
 using test::Folder;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -191,6 +192,29 @@ TEST(DebriefTest, DeductionsComeToTheScoreWithWhatOnlyGuardsAndWhatIsHalved) {
                                 {true, 4, 0}}),
                 22.4, kRounded);
     EXPECT_EQ(reckoned(70, {{true, 1, 1000}, {true, 1, 0}}), -1) << "50 or 25 would be so";
+}
+
+TEST(DebriefTest, MustThatItNeverCameToCostsItsPointsAndWentWrongAtNoMoment) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    Criterion& never = attempt.assessment->criteria()[3];
+    never.must(true);
+    never.counts(true);
+    never.deed(true);
+    never.tick(attempt.assessment->tick());
+    attempt.assessment->score(15.5); // (30 + 3 * 30 / 85) / 2
+    const Judgement judgement = judgement_of(attempt);
+    ASSERT_THAT(judgement.deductions(), SizeIs(3));
+    EXPECT_EQ(judgement.deductions()[2].criterion->code(), "later");
+    EXPECT_NEAR(judgement.deductions()[2].lost, 50, 1e-9);
+    const auto reckoning = reckoning_of(attempt, judgement);
+    ASSERT_TRUE(reckoning);
+    EXPECT_TRUE(reckoning->halved);
+    const auto wrong = went_wrong(attempt, judgement);
+    ASSERT_TRUE(wrong);
+    EXPECT_EQ(wrong->criterion->code(), "fall") << "no must, and the first that went wrong";
+    for (const Moment& moment : moments_of(attempt))
+        EXPECT_THAT(moment.what, Not(AllOf(HasSubstr("not met"), HasSubstr("later"))));
 }
 
 TEST(DebriefTest, WhatOnlyGuardsIsNotPraised) {
@@ -508,6 +532,17 @@ TEST(DebriefTest, ReportThatNobodyJudgesHasTheCableBesideItAndNoVerdict) {
     ASSERT_THAT(reports, SizeIs(2));
     EXPECT_EQ(reports[0].truth, "anchor on the bottom");
     EXPECT_EQ(reports[1].truth, "59.8 m (2.2 shackles) outboard of the lip"); // 5 m and 27.4 s of 2 m/s
+    EXPECT_FALSE(reports[1].true_value || reports[1].milli || reports[1].delay);
+}
+
+TEST(DebriefTest, FalseReportThatNoCriterionAsksForHasTheCableBesideItAndNoVerdict) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    for (JudgedReport& one : attempt.assessment->reports())
+        one.criterion("");
+    const auto reports = reports_said(attempt);
+    ASSERT_THAT(reports, SizeIs(2));
+    EXPECT_EQ(reports[0].truth, "anchor on the bottom");
     EXPECT_FALSE(reports[1].true_value || reports[1].milli || reports[1].delay);
 }
 

@@ -62,6 +62,7 @@ inline JudgedReport judged(double time, ReportCode code, const char* text, unsig
     made.tick(tick_at(time));
     made.code(code);
     made.side(SIDE_PORT);
+    made.criterion("report");
     made.milli(milli);
     made.text(text);
     return made;

@@ -2,12 +2,12 @@
 // on next time. It opens by itself when the marks are told, and is behind its button from then on.
 
 import type { Connection } from "../wire/connection";
-import { type Assessment, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
+import { type Assessment, BridgeOrderState, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import { written } from "./orders";
 import { clock, measures } from "./units";
-import { capital, outcomeSaid, reportRows, stateSaid } from "./words";
+import { capital, outcomeSaid, reportRows, saidOf, stateSaid } from "./words";
 import { t } from "./language";
 
 const kToWorkOn = 3; // criteria that are named first: nobody mends ten things at once
@@ -17,11 +17,18 @@ const kRight = 500; // of 1000: a report that earned less was not right (JudgedR
 /** Points that a criterion has lost, of its weight. */
 const lost = (criterion: Criterion): number => (criterion.weight * (1000 - criterion.counted)) / 1000;
 
-/** Criteria that went wrong, in the order in which to work on them: what must be first, then what cost most. */
+const neverCame = ({ state }: Criterion): boolean => state === kNotInPlay;
+
+/**
+ * Criteria that went wrong, in the order in which to work on them: what must be first, then what cost most. A must that
+ * it never came to is not met either, and comes behind those that it came to.
+ */
 export function toWorkOn(criteria: Criterion[]): Criterion[] {
   return criteria
     .filter((criterion) => criterion.counts && !criterion.met)
-    .sort((a, b) => Number(b.must) - Number(a.must) || lost(b) - lost(a));
+    .sort(
+      (a, b) => Number(b.must) - Number(a.must) || Number(neverCame(a)) - Number(neverCame(b)) || lost(b) - lost(a),
+    );
 }
 
 /** What went well: what was done, and what only was not broken, which is no deed to praise. */
@@ -140,7 +147,7 @@ export class OwnMarks {
     const at = (tick: number): string => clock((tick * assessment.time) / assessment.tick);
     const wrong = toWorkOn(assessment.criteria);
     const { did, kept } = wentWell(assessment.criteria);
-    const never = assessment.criteria.filter(({ state }) => state === kNotInPlay);
+    const never = assessment.criteria.filter((criterion) => neverCame(criterion) && !criterion.counts);
     const neverAs = [...new Set(never.map(stateSaid))];
     setText(this.head, headline(assessment));
     const { hints } = assessment;
@@ -189,7 +196,7 @@ export class OwnMarks {
       section(t("Orders"), this.orders(assessment, at)),
       section(
         t("Your reports"),
-        assessment.reports.map(({ tick, code, milli, timed, delay, text }) => {
+        assessment.reports.map(({ tick, code, criterion, milli, timed, delay, text }) => {
           const row = reportRows[code];
           const right = milli >= kRight;
           const how = right ? t("right|of a report") : t("not right|of a report");
@@ -197,7 +204,13 @@ export class OwnMarks {
             "li",
             { "data-right": right ? "" : undefined },
             `${at(tick)} ${row?.label ?? row?.said ?? ""}: ${how}`,
-            h("span", { class: "quiet" }, [timed && delayWords(delay), inChosenUnits(text)].filter(Boolean).join(", ")),
+            h(
+              "span",
+              { class: "quiet" },
+              [timed && delayWords(delay), inChosenUnits(text), !criterion && t("costs no points")]
+                .filter(Boolean)
+                .join(", "),
+            ),
           );
         }),
       ),
@@ -211,7 +224,11 @@ export class OwnMarks {
     return orders.flatMap(({ number, tick }) => {
       const order = given.find((each) => each.number === number);
       if (!order) return [];
-      const done = tick > 0 ? t("carried out {time}", { time: at(tick) }) : t("not carried out");
+      const open =
+        order.state === BridgeOrderState.ORDER_CANCELLED
+          ? saidOf("BridgeOrderState", order.state)
+          : t("not carried out");
+      const done = tick > 0 ? t("carried out {time}", { time: at(tick) }) : open;
       return [h("li", {}, `${clock(order.time)} ${written(order)}`, h("span", { class: "quiet" }, done))];
     });
   }

@@ -35,10 +35,15 @@ test("what must be is worked on first, then what cost most; what is met or was n
     criterion("met", { weight: 50, counted: 700, met: true }),
     criterion("not in play", { weight: 50, counts: false }),
     criterion("a must", { weight: 4, must: true }),
+    criterion("a must that it never came to", {
+      weight: 15,
+      must: true,
+      state: CriterionState.CRITERION_NOT_IN_PLAY,
+    }),
   ]);
   assert.deepEqual(
     order.map(({ code }) => code),
-    ["a must", "half of much", "a word"],
+    ["a must", "a must that it never came to", "half of much", "a word"],
   );
 });
 
