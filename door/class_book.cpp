@@ -427,12 +427,39 @@ Trainee ClassBook::join(const std::string& id, const std::string& name, const st
     throw Denied(409, "every seat of this class is taken");
 }
 
-const TrainingClass* ClassBook::with_seat(int exercise, Place place) const {
+namespace {
+
+/// Where a device may sit in a class.
+struct DeviceSeat {
+    std::string exercise;
+    Place place = Place::ship;
+};
+
+/// That of its number. One whose name is on the list takes another that is free where it has to: a class that
+/// goes on from a moment has exercise 1 alone, whichever it was. Nothing: the class has none for it.
+std::optional<DeviceSeat> device_seat(const TrainingClass& of, const std::string& name, int exercise,
+                                      Place place) {
+    if (const auto his = of.places.find(name); his != of.places.end()) place = his->second;
+    const auto places = places_of(of.crew);
+    if (std::ranges::find(places, place) == places.end()) return std::nullopt;
+    std::vector<std::string> fit; // the best first
+    if (exercise >= 1 && static_cast<std::size_t>(exercise) <= of.exercises.size())
+        fit.push_back(of.exercises[static_cast<std::size_t>(exercise - 1)]);
+    if (std::ranges::find(of.names, name) != of.names.end())
+        fit.insert(fit.end(), of.exercises.begin(), of.exercises.end());
+    if (fit.empty()) return std::nullopt;
+    const auto found = std::ranges::find_if(fit, [&](const std::string& there) {
+        return std::ranges::none_of(
+            of.trainees, [&](const Trainee& each) { return each.exercise == there && each.place == place; });
+    });
+    return DeviceSeat{.exercise = found == fit.end() ? fit.front() : *found, .place = place};
+}
+
+} // namespace
+
+const TrainingClass* ClassBook::with_seat(const std::string& name, int exercise, Place place) const {
     const auto has = [&](const TrainingClass& each) {
-        const auto places = places_of(each.crew);
-        return !each.over && each.launch.empty() && exercise >= 1 &&
-               static_cast<std::size_t>(exercise) <= each.exercises.size() &&
-               std::ranges::find(places, place) != places.end();
+        return !each.over && each.launch.empty() && device_seat(each, name, exercise, place);
     };
     const auto found = std::find_if(classes_.rbegin(), classes_.rend(), has);
     return found == classes_.rend() ? nullptr : &*found;
@@ -441,15 +468,17 @@ const TrainingClass* ClassBook::with_seat(int exercise, Place place) const {
 Trainee ClassBook::sit(const std::string& id, const std::string& name, const std::string& key, int exercise,
                        Place place) {
     TrainingClass& its_class = mine(id);
-    const std::string& there = its_class.exercises.at(static_cast<std::size_t>(exercise - 1));
     if (!its_class.names.empty() && std::ranges::find(its_class.names, name) == its_class.names.end())
         throw Denied(403, "this class has a list of names: take a seat by its code");
+    const auto seat = device_seat(its_class, name, exercise, place);
+    if (!seat) throw Denied(404, "this class has no such seat");
+    const auto& [there, at] = *seat;
     for (const Trainee& each : its_class.trainees) {
         if (each.name == name) throw Denied(409, name + " has a seat in this class already");
-        if (each.exercise == there && each.place == place) throw Denied(409, each.name + " sits here");
+        if (each.exercise == there && each.place == at) throw Denied(409, each.name + " sits here");
     }
     return its_class.trainees.emplace_back(Trainee{
-        .name = name, .key = key, .exercise = there, .place = place, .since = time_in(its_class, there)});
+        .name = name, .key = key, .exercise = there, .place = at, .since = time_in(its_class, there)});
 }
 
 std::optional<ClassBook::Seated> ClassBook::seated(const std::string& key) const {

@@ -161,9 +161,11 @@ public:
     Trainee join(const std::string& id, const std::string& name, const std::string& key);
 
     /// A device's own seat: of the class that was opened last, of those under way whose exercise of that
-    /// number, counted from 1, has that place. nullptr: none has.
-    const TrainingClass* with_seat(int exercise, Place place) const;
-    /// It sits there. Throws Denied when the seat or the name is somebody's, or the class has a list.
+    /// number, counted from 1, has that place, or whose list has the device's name: then it sits where the
+    /// class has it, or else where there is room at its place. nullptr: none has.
+    const TrainingClass* with_seat(const std::string& name, int exercise, Place place) const;
+    /// It sits there. Throws Denied when the seat or the name is somebody's, or the class has a list without
+    /// it.
     Trainee sit(const std::string& id, const std::string& name, const std::string& key, int exercise,
                 Place place);
 

@@ -77,7 +77,7 @@ ClassRuns::Desk::Desk(const gateway::SharedReaders& readers, const std::string& 
     : feed{readers,
            wire::exercise_partition(exercise),
            gateway::Feed::Kind::exercise,
-           {&wire::topics::exercise_status, &wire::topics::assessment}},
+           {&wire::topics::exercise_status, &wire::topics::assessment, &wire::topics::event}},
       orders{feed.participant(),
              {&wire::topics::exercise_command, &wire::topics::fault_command,
               &wire::topics::bridge_order_command},
@@ -119,6 +119,24 @@ Result ClassRuns::result(const std::string& exercise) const {
         }
     }
     return result;
+}
+
+std::optional<double> ClassRuns::gives_up(const std::string& exercise) const {
+    static const std::set<std::string> kGoesOn{"assessment.answered", "lesson.over", "exercise.loaded",
+                                               "exercise.reset", "exercise.restored"};
+    const auto desk = desks_.find(exercise);
+    if (desk == desks_.end()) return std::nullopt;
+    const auto events = desk->second->feed.kept(wire::topics::event);
+    for (auto frame = events.rbegin(); frame != events.rend(); ++frame) {
+        try {
+            const auto heard = wire::decode<Event>((*frame)->payload);
+            if (heard.code() == "assessment.unanswered") return heard.value();
+            if (kGoesOn.contains(heard.code().to_string())) return std::nullopt;
+        } catch (const std::exception&) {
+            continue; // of a writer that is no server of ours
+        }
+    }
+    return std::nullopt;
 }
 
 /// From when somebody sits there: so the recorder hears before it is started.

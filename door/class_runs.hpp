@@ -46,6 +46,9 @@ public:
     /// Why an exercise is not there yet, does not stand at its moment, or is not recorded; empty: nothing is
     /// wrong.
     std::string trouble(const std::string& exercise) const;
+    /// s of exercise at which the lesson's bridge, which has asked in vain, gives up and ends it, unless it
+    /// hears something; nothing: it waits for no answer.
+    std::optional<double> gives_up(const std::string& exercise) const;
     /// s of wall time since an exercise was heard to run on from a start or a pause; 0: it does not.
     double ran_for(const std::string& exercise, gateway::Clock::time_point now) const;
     std::size_t servers() const { return servers_.size(); }

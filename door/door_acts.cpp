@@ -99,24 +99,69 @@ Verdict DoorHost::marks(const std::string& id) const {
             .headers = {{"Content-Disposition", "attachment; filename=\"" + id + ".csv\""}}};
 }
 
-/// Of who sat in a class that is over. Waits, and says so, until all their attempts are in the history.
+/// Of who sat in a class that is over, and what assessors have said of it. Waits, and says so, until all
+/// their attempts are in the history.
 void DoorHost::next(const std::string& id, const Reply& reply) {
     const auto* its_class = book_.find(id);
     if (its_class == nullptr || !its_class->over) return reply(refused(404, "no class of that name is over"));
     const bool waits = std::ranges::any_of(its_class->results, [](const auto& one) {
         return !one.second.recording.empty() && !one.second.in_history;
     });
-    if (waits) return reply(answer({{"waits", true}, {"next", json::array()}}));
+    if (waits) return reply(answer({{"waits", true}, {"next", json::array()}, {"words", json::array()}}));
     std::set<std::string> all;
     for (const std::string& exercise : its_class->exercises)
         for (const Part& each : its_class->parts(exercise))
             all.insert(each.name);
     const std::vector<std::string> names(all.begin(), all.end());
-    slow_.add<json>([ask = options_.next, names] { return ask(names); },
-                    [](const json& list) {
-                        return answer({{"waits", false}, {"next", list}});
-                    },
-                    reply);
+    std::vector<std::string> recordings;
+    for (const auto& [exercise, result] : its_class->results)
+        if (!result.recording.empty()) recordings.push_back(result.recording);
+    slow_.add<json>(
+        [ask = options_.next, words = options_.words, names, recordings] {
+            return json{{"next", ask(names)}, {"words", words ? words(recordings) : json::array()}};
+        },
+        [](const json& found) {
+            return answer({{"waits", false}, {"next", found["next"]}, {"words", found["words"]}});
+        },
+        reply);
+}
+
+/// An assessor's word on an attempt that the history has.
+void DoorHost::take_word(const Who& who, const json& asked, const Reply& reply) {
+    const auto points = asked.find("points");
+    AttemptJudged judged{.recording = text_of(asked, "recording"),
+                         .by = who.staff->name,
+                         .outcome = text_of(asked, "outcome"),
+                         .note = text_of(asked, "note")};
+    if (points != asked.end() && !points->is_null()) {
+        if (!points->is_number() || *points < 0 || *points > 100)
+            throw Denied(400, "points: a number from 0 to 100, or null");
+        judged.points = points->get<double>();
+    }
+    const std::set<std::string> outcomes{"achieved", "not_yet", "not_shown"};
+    if (!outcomes.contains(judged.outcome)) throw Denied(400, "outcome: achieved, not_yet or not_shown");
+    const bool known = std::ranges::any_of(book_.classes(), [&](const TrainingClass& each) {
+        return std::ranges::any_of(each.results, [&](const auto& one) {
+            return one.second.recording == judged.recording && one.second.in_history;
+        });
+    });
+    if (!known) throw Denied(404, "no class has such an attempt in the history");
+    slow_.add<json>(
+        [judge = options_.judge, words = options_.words, judged] {
+            const std::string why = judge(judged);
+            return why.empty() ? json{{"words", words({judged.recording})}} : json{{"why", why}};
+        },
+        [this, judged](const json& found) {
+            if (const auto why = found.find("why"); why != found.end())
+                return refused(409, why->get<std::string>());
+            audit_.write("attempt.judged", {{"by", judged.by},
+                                            {"recording", judged.recording},
+                                            {"outcome", judged.outcome},
+                                            {"points", judged.points ? json(*judged.points) : json()},
+                                            {"note", judged.note}});
+            return answer(found);
+        },
+        reply);
 }
 
 bool DoorHost::made_by_a_class(const std::string& recording) const {
@@ -187,9 +232,11 @@ void DoorHost::act(const std::string& path, const std::string& body, const Who& 
         if (path == "/door/finish") return reply(finish(who));
         if (!who.staff) throw Denied(who.trainee ? 403 : 401, "this is for instructors: log in");
         if (path == "/door/class" && leads(who.staff->rank)) return reply(lead(who, asked));
+        if (path == "/door/word" && judges(who.staff->rank) && options_.judge)
+            return take_word(who, asked, reply);
         if (path == "/door/people" && who.staff->rank == Rank::owner) return let_in(who, asked, reply);
         if (path == "/door/kiosks" && who.staff->rank == Rank::owner) return reply(keep_kiosks(who, asked));
-        if (path == "/door/class" || path == "/door/people" || path == "/door/kiosks")
+        if (path == "/door/class" || path == "/door/word" || path == "/door/people" || path == "/door/kiosks")
             throw Denied(403, std::string("not for ") + name_of(who.staff->rank));
         throw Denied(404, "nobody does that here");
     } catch (const Denied& denied) {
@@ -507,6 +554,8 @@ json DoorHost::class_told(const TrainingClass& told) {
                   {"points", result.points ? json(*result.points) : json()},
                   {"outcome", result.outcome},
                   {"trouble", runs_.trouble(exercise)}};
+        const auto gives_up = runs_.gives_up(exercise);
+        each["gives_up"] = gives_up ? json(*gives_up) : json();
         const auto heard = runs_.told(exercise);
         each["heard"] = heard.has_value();
         if (const auto last = heard ? heard : runs_.lost(exercise)) {

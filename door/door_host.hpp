@@ -31,6 +31,15 @@ struct ExerciseMade {
     std::string recording; ///< its name; empty: none was made
 };
 
+/// An assessor's word on an attempt of a class that is over.
+struct AttemptJudged {
+    std::string recording; ///< its name
+    std::string by;
+    std::string outcome;               ///< achieved, not_yet, not_shown
+    std::optional<double> points = {}; ///< 0..100; nothing: as computed
+    std::string note;
+};
+
 struct DoorOptions {
     std::filesystem::path state;    ///< folder: people, classes, audit log
     std::string exercise;           ///< that staff's pages show unless they name another
@@ -53,6 +62,11 @@ struct DoorOptions {
     /// What each of these trainees is to practise next, by the history: their names in, [{name, file, title,
     /// why, practice}] out; who is in no history has no row. The same.
     std::function<nlohmann::json(const std::vector<std::string>& names)> next = {};
+    /// Puts an assessor's word into the history. Why it does not take it; empty: it stands. The same.
+    std::function<std::string(const AttemptJudged& judged)> judge = {};
+    /// Assessors' words on the attempts of these recordings, by the history: [{recording, points, outcome,
+    /// by}]. The same.
+    std::function<nlohmann::json(const std::vector<std::string>& recordings)> words = {};
     /// Who may start lessons here; none: nobody does, and nothing goes out.
     cmi5::LearningSystems learning_systems = {};
     cmi5::WebClient web = cmi5::WebClient(); ///< asks them
@@ -151,6 +165,7 @@ private:
     gateway::Verdict lead(const Who& who, const Json& asked);
     gateway::Verdict marks(const std::string& id) const;
     void next(const std::string& id, const Reply& reply);
+    void take_word(const Who& who, const Json& asked, const Reply& reply);
     void debrief(const std::string& recording, bool what_if, const Reply& reply);
     void lay_side_by_side(const std::string& id, const Reply& reply);
     bool made_by_a_class(const std::string& recording) const;

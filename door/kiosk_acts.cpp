@@ -42,7 +42,7 @@ Verdict DoorHost::sit(const Who& who) {
     json told = me(who);
     try {
         if (people_.find(name) != nullptr) throw Denied(409, "an instructor has that name");
-        const auto* its_class = book_.with_seat(exercise, place);
+        const auto* its_class = book_.with_seat(name, exercise, place);
         if (its_class == nullptr) return answer(told);
         const std::string id = its_class->id;
         const Trainee seated = book_.sit(id, name, key, exercise, place);
@@ -50,7 +50,7 @@ Verdict DoorHost::sit(const Who& who) {
         audit_.write("kiosk.sit", {{"name", name},
                                    {"class", id},
                                    {"exercise", seated.exercise},
-                                   {"place", name_of(place)},
+                                   {"place", name_of(seated.place)},
                                    {"address", who.address}});
         Who now = who;
         now.trainee = book_.seated(key);

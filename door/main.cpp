@@ -1,5 +1,6 @@
 // The door: every page of every exercise of this machine's servers, by TLS, for whoever is let in.
 
+#include "door/again.hpp"
 #include "door/cmi5/course.hpp"
 #include "door/kiosks.hpp"
 #include "door/private_file.hpp"
@@ -11,6 +12,7 @@
 #include "instructor_console/pages.hpp"
 #include "recorder/debrief/judgement.hpp"
 #include "recorder/debrief/read_attempt.hpp"
+#include "recorder/debrief/wall_time.hpp"
 #include "station/gateway/roles.hpp"
 #include "station/options.hpp"
 
@@ -19,6 +21,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -173,21 +176,21 @@ std::map<std::string, std::string> files_of_lessons(const nlohmann::json& list) 
     return files;
 }
 
-/// Ten seconds before that attempt went wrong; null: at no moment, or its recording is here no more.
+/// From when that attempt is done again; null: it went wrong at no moment, or its recording is here no more.
 nlohmann::json again_from(const Options& options, const fs::path& recording) {
-    constexpr double kBefore = 10; // s, to have a hand on the lever by then
     const fs::path folder = options.recordings / recording.filename();
     if (recording.empty() || !fs::exists(folder)) return nullptr;
     try {
         recording::Recording read({folder});
         const debrief::Attempt attempt = debrief::read_attempt(read);
-        const auto first = debrief::went_wrong(attempt, debrief::judgement_of(attempt));
-        if (!first || first->time <= attempt.began) return nullptr;
-        const double time = std::max(attempt.began, first->time - kBefore);
+        const auto again = door::again_of(attempt);
+        if (!again) return nullptr;
         return {{"recording", recording.filename()},
-                {"position", attempt.position_of(time)},
-                {"time", time},
-                {"lost", debrief::name_of(*first->criterion)}};
+                {"position", attempt.position_of(again->from)},
+                {"time", again->from},
+                {"before", door::name_of(again->before)},
+                {"lost", again->lost},
+                {"lost_at", again->lost_at}};
     } catch (const std::exception&) { // a part of it cannot be read
         return nullptr;
     }
@@ -226,6 +229,52 @@ void put_in_history(const Options& options, const door::AttemptMade& made) {
     const bool replace = true; // a seat that was another's before the last word of the class
     history::History(options.history)
         .add(debrief::read_attempt(recording), seats, options.recordings / made.recording, replace);
+}
+
+/// The attempts that recordings of ours have in the history, by the recordings' names.
+std::map<std::string, history::Listed> attempts_of(const Options& options, history::History& history) {
+    const fs::path ours = fs::absolute(options.recordings).lexically_normal();
+    std::map<std::string, history::Listed> found;
+    for (history::Listed& each : history.list()) {
+        const fs::path recording = each.recording;
+        if (recording == (ours / recording.filename()).lexically_normal())
+            found[recording.filename()] = std::move(each);
+    }
+    return found;
+}
+
+std::string judge(const Options& options, const door::AttemptJudged& judged) {
+    history::History history(options.history);
+    const auto all = attempts_of(options, history);
+    const auto attempt = all.find(judged.recording);
+    if (attempt == all.end()) return "the history has no attempt of that recording";
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    try {
+        history.confirm(
+            attempt->second.attempt,
+            {.by = judged.by, .score = judged.points, .outcome = judged.outcome, .note = judged.note},
+            debrief::iso_time(std::chrono::nanoseconds(now).count()));
+        return "";
+    } catch (const std::invalid_argument& why) {
+        return why.what();
+    }
+}
+
+nlohmann::json words_on(const Options& options, const std::vector<std::string>& recordings) {
+    history::History history(options.history);
+    const auto attempts = attempts_of(options, history);
+    nlohmann::json all = nlohmann::json::array();
+    for (const std::string& recording : recordings)
+        if (const auto its = attempts.find(recording);
+            its != attempts.end() && !its->second.confirmed_by.empty()) {
+            const auto& tenths = its->second.score;
+            all.push_back(
+                {{"recording", recording},
+                 {"points", tenths ? nlohmann::json(static_cast<double>(*tenths) / 10) : nlohmann::json()},
+                 {"outcome", its->second.outcome},
+                 {"by", its->second.confirmed_by}});
+        }
+    return all;
 }
 
 /// What its recording says of an attempt, for a learning system.
@@ -416,6 +465,9 @@ int run(Options options) {
              [options, lessons](const std::vector<std::string>& names) {
                  return next_of(options, files_of_lessons(lessons()), names);
              },
+         .judge = [options](const door::AttemptJudged& judged) { return judge(options, judged); },
+         .words =
+             [options](const std::vector<std::string>& recordings) { return words_on(options, recordings); },
          .learning_systems = cmi5::LearningSystems(options.learning_systems),
          .web = cmi5::WebClient(options.learning_authority),
          .marks_of = [recordings = options.recordings](

@@ -24,6 +24,11 @@ inline bool leads(Rank rank) {
     return rank == Rank::owner || rank == Rank::instructor;
 }
 
+/// May say what an attempt comes to.
+inline bool judges(Rank rank) {
+    return leads(rank) || rank == Rank::assessor;
+}
+
 struct Person {
     std::string name;
     Rank rank = Rank::observer;

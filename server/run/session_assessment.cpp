@@ -1,5 +1,6 @@
 // Session: the lesson as it goes on, and what is made of it.
 
+#include "server/assess/bridge.hpp"
 #include "server/run/briefing.hpp"
 #include "server/run/session.hpp"
 
@@ -13,11 +14,13 @@ namespace windlass::run {
 void Session::assess() {
     if (!assessor_.assesses()) return;
     const bool was_over = assessor_.ended();
+    const int asked = assessor_.state().asked;
     due_.clear();
     assessor_.fold(snapshot_, due_);
     for (const exercise::Order& order : due_)
         apply(order, kServerName);
     tell_hints();
+    tell_unanswered(asked);
     if (!due_.empty()) look(); // before a checkpoint is taken, which has these orders in it
     const auto second = static_cast<std::uint64_t>(def().tick_rate_hz);
     const bool just_over = assessor_.ended() && !was_over;
@@ -42,6 +45,20 @@ void Session::tell_hints() {
         log(hint.forecastle ? words::EventCode("hint.forecastle") : words::EventCode("hint.bridge"), hint.say,
             hint.side);
     }
+}
+
+/// To those who have the truth: the bridge has asked, and how long it does so; it has heard what it wanted.
+void Session::tell_unanswered(int asked_before) {
+    const int asked = assessor_.state().asked;
+    if (asked == 0 && asked_before > 0) log("assessment.answered", "the bridge has its answer");
+    if (asked <= asked_before) return;
+    const int rate = def().tick_rate_hz;
+    const double until =
+        static_cast<double>(assess::gives_up_at(*assessor_.lesson(), assessor_.state(), rate)) / rate;
+    log("assessment.unanswered",
+        fmt::format("the bridge asks again: if it hears nothing it gives up at {:.0f} s, and the lesson ends",
+                    until),
+        -1, until);
 }
 
 /// Once in a run, to the seats: its marks go out on topics of their own.

@@ -374,7 +374,8 @@ TEST_F(Booked, WhatALearningSystemStartsIsOneLearnersAndNobodyElseSitsThere) {
     EXPECT_EQ(seated.exercise, "cmi5-1-1");
     EXPECT_EQ(book_.seated("k9")->class_id, "cmi5-1");
     EXPECT_EQ(book_.with_code("", kNow), nullptr) << "it has no code";
-    EXPECT_EQ(book_.with_seat(1, Place::ship), nullptr) << "a device waits for an instructor's class";
+    EXPECT_EQ(book_.with_seat("ship 1", 1, Place::ship), nullptr)
+        << "a device waits for an instructor's class";
     const ClassBook kept(book_.to_json());
     ASSERT_NE(kept.launched("session-1"), nullptr);
     EXPECT_TRUE(kept.launched("session-1")->practice);

@@ -127,6 +127,65 @@ TEST_F(Class, ExerciseWhoseSeatChangesHandsIsTheWorkOfBoth) {
     EXPECT_THAT(owner().get("/door/marks.csv?class=mon").body, HasSubstr(",to 0:0"));
 }
 
+TEST_F(Class, OnAnAttemptAnAssessorHasAWordOnceTheHistoryHasIt) {
+    const std::string code = open_class("mon", 1, 1, "L01_let_go_25m");
+    expect_made("mon");
+    Browser ben = trainee(code, "ben");
+    const auto of_rank = [this](const char* rank) {
+        owner().post("/door/people",
+                     {{"do", "put"}, {"name", rank}, {"rank", rank}, {"password", kPassword}});
+        Browser one = browser();
+        EXPECT_EQ(one.post("/door/login", {{"name", rank}, {"password", kPassword}}).status, 200);
+        return one;
+    };
+    Browser assessor = of_rank("assessor"), observer = of_rank("observer");
+    std::string recording;
+    ASSERT_TRUE(eventually([&] {
+        return !(recording = class_told("mon")["exercises"][0]["recording"]).empty();
+    })) << door_->text();
+    nlohmann::json word{
+        {"recording", recording}, {"outcome", "achieved"}, {"points", 81.5}, {"note", "short"}};
+    EXPECT_EQ(assessor.post("/door/word", word).status, 404) << "it goes on";
+    EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}).status, 200);
+    ASSERT_TRUE(eventually([&] { return class_told("mon")["exercises"][0]["time"] > 3.0; })) << door_->text();
+    EXPECT_EQ(owner().post("/door/class", {{"do", "end"}, {"class", "mon"}}).status, 200);
+    const auto next = [&] { return assessor.get("/door/next?class=mon").json(); };
+    ASSERT_TRUE(eventually([&] { return next()["waits"] == false; })) << door_->text();
+    EXPECT_THAT(next()["words"], testing::IsEmpty());
+    const Answer refused = assessor.post("/door/word", word);
+    EXPECT_EQ(refused.status, 409);
+    EXPECT_THAT(refused.body, HasSubstr("10 characters at least"));
+    word["note"] = "the load cell had failed";
+    const nlohmann::json wrong_fields{{"points", 101}, {"outcome", "good"}, {"note", 5}};
+    for (const auto& [field, value] : wrong_fields.items()) {
+        nlohmann::json wrong = word;
+        wrong[field] = value;
+        EXPECT_EQ(assessor.post("/door/word", wrong).status, 400) << field;
+    }
+    EXPECT_EQ(observer.post("/door/word", word).status, 403) << "who only looks on";
+    EXPECT_EQ(ben.post("/door/word", word).status, 401) << "his class is over";
+    EXPECT_EQ(assessor.post("/door/word", word).status, 200);
+    const nlohmann::json told = next()["words"];
+    ASSERT_EQ(told.size(), 1U) << told;
+    EXPECT_EQ(told[0]["by"], "assessor");
+    EXPECT_EQ(told[0]["points"], 81.5);
+    EXPECT_EQ(told[0]["outcome"], "achieved");
+    EXPECT_EQ(class_told("mon")["exercises"][0]["outcome"], "not_shown") << "what was computed stays";
+    EXPECT_THAT(audit(), HasSubstr("attempt.judged"));
+}
+
+TEST_F(Class, SaysWhenTheSilenceOfASeatEndsItsLesson) {
+    const std::string code = open_class("mon", 1, 1, "L01_let_go_25m");
+    expect_made("mon");
+    Browser ben = trainee(code, "ben");
+    const auto told = [this] { return class_told("mon")["exercises"][0]; };
+    EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}).status, 200);
+    ASSERT_TRUE(eventually([&] { return told()["time"] > 5.0; })) << door_->text();
+    EXPECT_TRUE(told()["gives_up"].is_null()) << "the first order is 2 s old";
+    ASSERT_TRUE(eventually([&] { return told()["gives_up"].is_number(); })) << told();
+    EXPECT_NEAR(told()["gives_up"].get<double>(), 63, 1) << "said once and three times again, 15 s apart";
+}
+
 TEST_F(Class, IsStartedWhereSomebodySitsAndElsewhereOnceSomebodyDoes) {
     const std::string code = open_class("mon", 2, 1);
     expect_made("mon");

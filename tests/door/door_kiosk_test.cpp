@@ -126,6 +126,25 @@ TEST_F(KioskAtTheDoor, ASeatThatIsTakenIsToldAndHadOnceItIsFree) {
     EXPECT_EQ(one.post("/door/sit", json::object()).json()["exercise"], "mon-1");
 }
 
+// As a class that goes on from a moment is opened: of who sat in one exercise, which is its first now.
+TEST_F(KioskAtTheDoor, OfAClassWhoseListHasItsNameItHasTheSeatThatTheListGivesIt) {
+    Browser one = device(made("deck 3", 3, "forecastle")), other = device(made("deck 1", 1, "forecastle"));
+    const Answer opened = owner().post("/door/class", {{"do", "open"},
+                                                       {"class", "again"},
+                                                       {"lesson", "let_go_port_25m"},
+                                                       {"exercises", 1},
+                                                       {"crew", 2},
+                                                       {"names", json::array({"deck 3"})},
+                                                       {"places", json::object({{"deck 3", "bridge"}})}});
+    ASSERT_EQ(opened.status, 200) << opened.body;
+    EXPECT_THAT(other.post("/door/sit", json::object()).json()["why"].get<std::string>(),
+                HasSubstr("a list of names"));
+    const json seat = one.post("/door/sit", json::object()).json();
+    EXPECT_EQ(seat["exercise"], "again-1");
+    EXPECT_EQ(seat["place"], "bridge");
+    EXPECT_EQ(one.get("/").header("Location"), "/bridge");
+}
+
 TEST_F(KioskAtTheDoor, TakenBackItsDeviceIsOutAndItsSeatFree) {
     Browser one = device(made("first", 1, "ship"));
     open_class("mon", 1, 1);

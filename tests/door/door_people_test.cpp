@@ -57,6 +57,14 @@ TEST_F(Door, ACookieIsHiddenFromPagesAndOfOneSite) {
     EXPECT_EQ(anna.get("/door/me").json()["who"], "nobody");
 }
 
+TEST_F(Door, TheIconIsAnybodysAlsoByTheNameThatBrowsersAskForByThemselves) {
+    const Answer icon = browser().get("/favicon.ico");
+    EXPECT_EQ(icon.status, 200);
+    EXPECT_EQ(icon.header("Content-Type"), "image/svg+xml");
+    EXPECT_THAT(icon.header("Content-Security-Policy"), HasSubstr("default-src 'self'"));
+    EXPECT_EQ(icon.body, browser().get("/favicon.svg").body);
+}
+
 TEST_F(Door, AStolenCookieOfStaffIsOfNoUseElsewhere) {
     Browser thief = browser("127.0.0.2");
     thief.cookie = owner().cookie;

@@ -83,11 +83,11 @@ TEST_F(KeptKiosks, AFileThatIsNoneIsToldWithItsName) {
 TEST(KiosksSeat, IsOfTheClassThatWasOpenedLastAndHasIt) {
     constexpr std::int64_t kNow = 1'800'000'000;
     ClassBook book;
-    EXPECT_EQ(book.with_seat(1, Place::ship), nullptr);
+    EXPECT_EQ(book.with_seat("third", 1, Place::ship), nullptr);
     book.open("mon", {.lesson = "L01_let_go_25m", .exercises = 4, .crew = 2}, "ABCDEF", kNow);
     book.open("tue", {.lesson = "L01_let_go_25m", .exercises = 2, .crew = 2}, "GHJKLM", kNow);
     const auto id = [&](int exercise, Place place) {
-        const auto* found = book.with_seat(exercise, place);
+        const auto* found = book.with_seat("third", exercise, place);
         return found == nullptr ? std::string() : found->id;
     };
     EXPECT_EQ(id(2, Place::forecastle), "tue");
@@ -104,6 +104,40 @@ TEST(KiosksSeat, IsOfTheClassThatWasOpenedLastAndHasIt) {
     EXPECT_EQ(refusal([&] { book.sit("wed", "third", "k3", 2, Place::forecastle); }), 403) << "a list";
     book.end("wed");
     EXPECT_EQ(id(2, Place::forecastle), "tue");
+}
+
+// It sat in exercise 3, and went wrong there: the class that goes on has one exercise.
+TEST(KiosksSeat, OfAClassWhoseListHasItsNameIsTheOneThatItHadWhateverItsNumber) {
+    constexpr std::int64_t kNow = 1'800'000'000;
+    ClassBook book;
+    book.open("mon", {.lesson = "L01_let_go_25m", .exercises = 4, .crew = 2}, "ABCDEF", kNow);
+    book.open("again",
+              {.lesson = "L01_let_go_25m",
+               .exercises = 1,
+               .crew = 2,
+               .names = {"deck 3", "bridge 3"},
+               .from = Moment{"mon-3-17", 60},
+               .places = {{"deck 3", Place::bridge}, {"bridge 3", Place::forecastle}}},
+              "GHJKLM", kNow);
+    EXPECT_EQ(book.with_seat("deck 3", 3, Place::forecastle)->id, "again");
+    EXPECT_EQ(book.with_seat("deck 4", 4, Place::forecastle)->id, "mon") << "which is not on the list";
+    const Trainee seated = book.sit("again", "deck 3", "k1", 3, Place::forecastle);
+    EXPECT_EQ(seated.exercise, "again-1");
+    EXPECT_EQ(seated.place, Place::bridge) << "where it was moved to then";
+    EXPECT_EQ(book.sit("again", "bridge 3", "k2", 3, Place::bridge).place, Place::forecastle);
+}
+
+TEST(KiosksSeat, OnAListIsThatOfItsNumberWhereItIsFreeAndElseTheFirstThatIs) {
+    constexpr std::int64_t kNow = 1'800'000'000;
+    ClassBook book;
+    book.open("next",
+              {.lesson = "L01_let_go_25m", .exercises = 3, .crew = 1, .names = {"ship 2", "ship 7", "ben"}},
+              "ABCDEF", kNow);
+    EXPECT_EQ(book.sit("next", "ship 2", "k1", 2, Place::ship).exercise, "next-2");
+    EXPECT_EQ(book.join("next", "ben", "k2").exercise, "next-1");
+    EXPECT_EQ(book.sit("next", "ship 7", "k3", 7, Place::ship).exercise, "next-3");
+    EXPECT_EQ(refusal([&] { book.sit("next", "ship 9", "k4", 1, Place::ship); }), 403);
+    EXPECT_EQ(refusal([&] { book.sit("next", "ship 2", "k5", 2, Place::ship); }), 409) << "it sits there";
 }
 
 } // namespace

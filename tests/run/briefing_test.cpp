@@ -191,6 +191,19 @@ TEST_F(EndOfALesson, IsToldToTheSeatsOnceWithWhatEndedItAndNoMark) {
     EXPECT_EQ(session.status().state, exercise::RunState::running);
 }
 
+TEST_F(EndOfALesson, IsForetoldToWhoHasTheTruthWhereTheBridgeHasNoAnswer) {
+    exercise::ExerciseDef silent;
+    silent.lesson = R"({"id": "T", "patience": 60, "orders": [
+        {"id": "o", "code": "stand_by", "repeat": 1, "when": {"time": 0.1}}],
+      "criteria": [{"id": "c", "kind": "order", "orders": ["o"]}], "end": {"good": {"answered": "o"}}})";
+    Session session(silent, options());
+    run(session, 5 * silent.tick_rate_hz);
+    EXPECT_EQ(count(session, "assessment.unanswered"), 0);
+    run(session, 2 * silent.tick_rate_hz);
+    EXPECT_EQ(text_of(session, "assessment.unanswered"),
+              "the bridge asks again: if it hears nothing it gives up at 24 s, and the lesson ends");
+}
+
 TEST_F(EndOfALesson, IsToldWhenAnAssessorEndsItOrTheExerciseIsEnded) {
     Session confirmed(def(), options());
     give(confirmed, exercise::Order{exercise::AssessorsWord{

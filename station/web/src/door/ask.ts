@@ -57,7 +57,7 @@ export interface Next {
   title: string;
   why: string;
   practice: boolean;
-  /** Ten seconds before his last attempt went wrong; null: nothing to go on from. */
+  /** From when his last attempt, which went wrong, is done again; null: nothing to go on from. */
   from: From | null;
 }
 
@@ -68,8 +68,12 @@ export interface From {
   position: number;
   /** s of exercise. */
   time: number;
-  /** What was lost behind it. */
+  /** What comes ten seconds later: a hand that took the levers, an order, the time that it had, the loss. */
+  before: "levers" | "order" | "due" | "loss";
+  /** What was lost by that. */
   lost: string;
+  /** s of exercise. */
+  lost_at: number;
 }
 
 /** A class that goes on from there, each where he sat. */
@@ -78,8 +82,21 @@ export interface Again extends From {
   places: Record<string, PlaceName>;
 }
 
+/** An assessor's word on an attempt of a class that is over. */
+export interface Word {
+  recording: string;
+  /** 0..100; null: nothing was assessed. */
+  points: number | null;
+  outcome: string;
+  by: string;
+}
+
+export interface Words {
+  words: Word[];
+}
+
 /** Of who sat in a class that is over; waits: attempts are not in the history yet. */
-export interface NextOfClass {
+export interface NextOfClass extends Words {
   waits: boolean;
   next: Next[];
 }
@@ -137,6 +154,8 @@ export interface ClassExercise {
   points: number | null;
   /** achieved, not_yet, not_shown; empty: not marked to the end. */
   outcome: string;
+  /** s of exercise at which the lesson's bridge, which has asked in vain, gives up and ends it; null: it waits not. */
+  gives_up: number | null;
   /** Why it is not there yet, does not stand at its moment, or is not recorded; empty: nothing is wrong. */
   trouble: string;
 }

@@ -1,7 +1,7 @@
 // What came of a class: who sat where, the marks, and the way to each debriefing.
 
-import { outcomeSaid } from "../kit/words";
-import { h } from "../kit/dom";
+import { capital, outcomeSaid } from "../kit/words";
+import { h, setText } from "../kit/dom";
 import { clock } from "../kit/units";
 import {
   type Again,
@@ -9,12 +9,17 @@ import {
   type From,
   type Next,
   type NextOfClass,
+  type Part,
   type PlaceName,
   type TrainingClass,
+  type Word,
+  type Words,
+  act,
   ask,
   partWords,
   placeWords,
 } from "./ask";
+import { field, form } from "./frame";
 import { t } from "../kit/language";
 
 /** In words: points, and what they mean once the lesson is over. */
@@ -34,16 +39,30 @@ const notJudged = ({ bridge_judged }: TrainingClass): string =>
 
 const kLook = 2000; // ms
 
-/** Begins a class of him and whoever sat beside him, each where he sat, ten seconds before it went wrong. */
-const againFrom = (one: Next, from: From, it: TrainingClass, open: Open): HTMLElement =>
+/** Why a class that goes on does so from there: "ten seconds before the levers were taken; fall was lost at 0:33". */
+export function whyFrom({ before, lost, lost_at }: From): string {
+  const its = { lost, at: clock(lost_at) };
+  switch (before) {
+    case "levers":
+      return t("ten seconds before the levers were taken; {lost} was lost at {at}", its);
+    case "order":
+      return t("ten seconds before the order was given; {lost} was lost at {at}", its);
+    case "due":
+      return t("ten seconds before the time for {lost} began; it was lost at {at}", its);
+    case "loss":
+      return t("ten seconds before {lost} was lost, at {at}", its);
+  }
+}
+
+/** Begins a class of him and whoever sat beside him, each where he sat, ten seconds before what lost it. */
+const againFrom = (one: Next, from: From, it: TrainingClass, open: Open): Node[] => [
   h(
     "button",
-    {
-      title: t("ten seconds before {lost} was lost", { lost: from.lost }),
-      onclick: () => open([one], { ...from, crew: it.crew, places: placesBeside(one.name, it) }),
-    },
+    { onclick: () => open([one], { ...from, crew: it.crew, places: placesBeside(one.name, it) }) },
     t("Again from {time}", { time: clock(from.time) }),
-  );
+  ),
+  h("span", { class: "quiet" }, whyFrom(from)),
+];
 
 /** Who sat last in the exercise of that name, and where. */
 export function placesBeside(name: string, { exercises }: TrainingClass): Record<string, PlaceName> {
@@ -75,21 +94,92 @@ export function together(all: Next[]): Next[][] {
   return [...groups].sort(([a], [b]) => a.localeCompare(b)).map(([, group]) => group);
 }
 
-/** Fills the cells by name, and the list of classes that would do, once the history has the class. */
+/** "bo: 80 points, achieved". */
+export function wordSaid({ by, points, outcome }: Word): string {
+  const said = outcomeSaid(outcome);
+  const marks = points === null ? said : t("{points} points, {outcome}", { points: points.toFixed(0), outcome: said });
+  return `${by}: ${marks}`;
+}
+
+const kNoteMin = 10; // characters, as the history asks for
+
+/** The assessor's word on an attempt, and the way to give one. */
+class WordOn {
+  readonly element = h("div", { class: "word", hidden: true });
+  private readonly said = h("p", { class: "quiet", role: "status" });
+
+  /** judges: who looks at it may give one. */
+  constructor(
+    private readonly of: ClassExercise,
+    judges: boolean,
+  ) {
+    this.element.append(this.said);
+    if (judges && of.outcome !== "practice") this.element.append(this.form()); // that shows no competence
+  }
+
+  /** Once the history has the attempt. */
+  take({ words }: Words): void {
+    const word = words.find(({ recording }) => recording === this.of.recording);
+    setText(this.said, word ? wordSaid(word) : "");
+    this.element.hidden = false;
+  }
+
+  private form(): HTMLElement {
+    const outcome = h(
+      "select",
+      {},
+      ...["achieved", "not_yet", "not_shown"].map((each) => h("option", { value: each }, capital(outcomeSaid(each)))),
+    );
+    if (this.of.outcome) outcome.value = this.of.outcome;
+    const points = h("input", { type: "number", min: 0, max: 100, step: "any" });
+    const note = h("input", { required: true, minLength: kNoteMin, maxLength: 255, autocomplete: "off" });
+    const details = h(
+      "details",
+      {},
+      h("summary", {}, t("Your word on it")),
+      form(
+        t("Set"),
+        [
+          field(t("Outcome"), outcome),
+          field(t("Points"), points, t("of 100; none: as computed")),
+          field(t("Why"), note, t("10 characters at least")),
+        ],
+        async () => {
+          this.take(
+            await act<Words>("word", {
+              recording: this.of.recording,
+              outcome: outcome.value,
+              points: points.value === "" ? null : points.valueAsNumber,
+              note: note.value.trim(),
+            }),
+          );
+          note.value = "";
+          details.open = false;
+        },
+      ),
+    );
+    return details;
+  }
+}
+
+/** Fills the cells by name, the words, and the list of classes that would do, once the history has the class. */
 async function fillNext(
   it: TrainingClass,
   cells: Map<string, HTMLElement>,
+  words: WordOn[],
   list: HTMLElement,
   open?: Open,
 ): Promise<void> {
-  const { waits, next } = await ask<NextOfClass>(`next?class=${it.id}`);
-  if (waits) {
+  const told = await ask<NextOfClass>(`next?class=${it.id}`);
+  if (told.waits) {
     const shown = (): boolean => [...cells.values()].some((cell) => cell.isConnected);
-    setTimeout(() => shown() && tellNext(it, cells, list, open), kLook);
+    setTimeout(() => shown() && tellNext(it, cells, words, list, open), kLook);
     return;
   }
+  for (const word of words) word.take(told);
+  const { next } = told;
   for (const one of next) {
-    const again = one.from && open ? [againFrom(one, one.from, it, open)] : [];
+    const again = one.from && open ? againFrom(one, one.from, it, open) : [];
     cells.get(one.name)?.replaceChildren(...nextWords(one), ...again);
   }
   const classOf = (group: Next[], { title, practice }: Next): HTMLElement =>
@@ -110,14 +200,25 @@ const tellNext: typeof fillNext = (...of) => fillNext(...of).catch(() => {});
 /** Begins a class of those who are to do the same next. */
 export type Open = (group: Next[], from?: Again) => void;
 
-/** A class that is over. title: of its lesson. open: nothing, for who may open none. */
-export function classMarks(it: TrainingClass, title: string, open?: Open): HTMLElement {
+/**
+ * A class that is over. title: of its lesson. judges: who looks at it may say what an attempt comes to. open: nothing,
+ * for who may open none.
+ */
+export function classMarks(it: TrainingClass, title: string, judges: boolean, open?: Open): HTMLElement {
   const cells = new Map<string, HTMLElement>();
+  const words: WordOn[] = [];
   const list = h("p", { class: "row next" });
   const nextOf = (name: string): HTMLElement => {
     const cell = h("td", { class: "next" });
     if (!cells.has(name)) cells.set(name, cell); // who had two seats is told once
     return cell;
+  };
+  /** One is said of all who worked in it: with the first whose marks they are. */
+  const wordOn = (each: ClassExercise, part: Part): Node[] => {
+    if (!each.recording || part !== each.parts.find(({ judged }) => judged)) return [];
+    const word = new WordOn(each, judges);
+    words.push(word);
+    return [word.element];
   };
   const rows = it.exercises.flatMap((each) =>
     each.parts.map((part) =>
@@ -126,7 +227,7 @@ export function classMarks(it: TrainingClass, title: string, open?: Open): HTMLE
         { "data-exercise": each.exercise },
         h("th", { scope: "row" }, part.name),
         h("td", {}, [each.exercise, placeWords[part.place], partWords(part)].filter(Boolean).join(", ")),
-        h("td", { class: "marks" }, part.judged ? marksOf(each) : notJudged(it)),
+        h("td", { class: "marks" }, part.judged ? marksOf(each) : notJudged(it), ...wordOn(each, part)),
         h(
           "td",
           {},
@@ -140,7 +241,7 @@ export function classMarks(it: TrainingClass, title: string, open?: Open): HTMLE
   );
   if (rows.length === 0) return h("p", { class: "quiet" }, t("Nobody sat in this class."));
   const heads = [t("Trainee"), t("Seat"), t("Marks"), t("Talk it over"), t("What next")];
-  void tellNext(it, cells, list, open);
+  void tellNext(it, cells, words, list, open);
   return h(
     "section",
     { class: "panel class-marks" },

@@ -74,6 +74,7 @@ class ClassPage {
   constructor(
     root: HTMLElement,
     private readonly leads: boolean,
+    private readonly judges: boolean,
     owns: boolean,
   ) {
     if (owns) this.devices = kiosks(() => address(this.known));
@@ -155,7 +156,7 @@ class ClassPage {
     const open = this.leads ? (group: Next[], from?: Again) => this.goOn(group, from) : undefined;
     this.fill(this.body, it?.over ? [it, this.titleOf(it)] : [it?.id ?? this.chosen, it?.exercises.length], () => {
       if (this.chosen === kKiosks && this.devices) return [this.devices];
-      if (it?.over) return [classMarks(it, this.titleOf(it), open)];
+      if (it?.over) return [classMarks(it, this.titleOf(it), this.judges, open)];
       if (it) {
         this.made.clear();
         return [this.code, this.bar(it), this.exercises(it)];
@@ -307,7 +308,7 @@ class ClassPage {
     tile.state.toggleAttribute("data-lost", each.state !== null && !each.heard);
     const begun = each.points !== null && each.state !== RunState.RUN_READY;
     setText(tile.state, begun ? `${stateOf(each)}, ${marksOf(each)}` : stateOf(each));
-    setText(tile.trouble, each.trouble);
+    setText(tile.trouble, each.trouble || endsBySilence(each));
     const seats = each.seats.map((seat) => ({ ...seat, doing: doing(each, seat) }));
     const gone = each.parts.filter(({ until }) => until !== null);
     this.fill(tile.seats, [seats.map(({ place, name, doing: it }) => [place, name, it]), gone, this.mover], () => [
@@ -390,6 +391,15 @@ function doing(each: ClassExercise, { place, here, silent }: Seat): string {
   return t("silent {time}", { time: clock(kSilentStep * Math.floor(silent / kSilentStep)) });
 }
 
+/** "no answer to the bridge: at 1:03 it gives up, and the lesson ends"; empty: it has not had to ask. */
+export function endsBySilence(each: ClassExercise): string {
+  const { gives_up, heard, time } = each;
+  if (gives_up === null || !heard || isOver(each)) return "";
+  return time < gives_up
+    ? t("no answer to the bridge: at {time} it gives up, and the lesson ends", { time: clock(gives_up) })
+    : t("no answer to the bridge: it gives up, and the lesson ends");
+}
+
 function stateOf(each: ClassExercise): string {
   const { state, time, heard, outcome } = each;
   if (state === null) return t("is being made");
@@ -415,5 +425,5 @@ export async function makeClass(): Promise<void> {
       t("Log out"),
     ),
   );
-  new ClassPage(root, leads, me.rank === "owner");
+  new ClassPage(root, leads, leads || me.rank === "assessor", me.rank === "owner");
 }

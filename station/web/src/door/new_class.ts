@@ -2,6 +2,7 @@
 
 import { h, setText } from "../kit/dom";
 import { type Classes, type Again, type Lessons, type Next, act } from "./ask";
+import { whyFrom } from "./class_marks";
 import { field, form } from "./frame";
 import { freeName } from "./free_name";
 import { namesOf } from "./names";
@@ -86,15 +87,12 @@ export function newClass(
     setText(
       whose,
       from
-        ? t(
-            "For {names} alone, unless you give a file; from {time} of {recording}, ten seconds before {lost} was lost",
-            {
-              names,
-              time: clock(from.time),
-              recording: from.recording,
-              lost: from.lost,
-            },
-          )
+        ? t("For {names} alone, unless you give a file; from {time} of {recording}, {why}", {
+            names,
+            time: clock(from.time),
+            recording: from.recording,
+            why: whyFrom(from),
+          })
         : t("For {names} alone, unless you give a file", { names }),
     );
     list.value = "";

@@ -3,8 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import type { Part, PlaceName, TrainingClass } from "../../src/door/ask";
-import { placesBeside } from "../../src/door/class_marks";
+import type { From, Part, PlaceName, TrainingClass } from "../../src/door/ask";
+import { placesBeside, whyFrom, wordSaid } from "../../src/door/class_marks";
 
 const part = (name: string, place: PlaceName, since: number | null = null, until: number | null = null): Part => ({
   name,
@@ -28,4 +28,19 @@ test("a class that goes on has its two with it, each where they sat at the end",
 test("who was relieved goes on alone, where he was", () => {
   const it = classOf([part("cid", "forecastle", null, 240), part("ann", "forecastle", 240), part("ben", "bridge")]);
   assert.deepEqual(placesBeside("cid", it), { cid: "forecastle" });
+});
+
+test("a class that goes on says before what it begins, and what was lost by that", () => {
+  const why = (before: From["before"]): string =>
+    whyFrom({ recording: "mon-1-17", position: 14, time: 10, before, lost: "fall", lost_at: 33.4 });
+  assert.equal(why("levers"), "ten seconds before the levers were taken; fall was lost at 0:33");
+  assert.equal(why("order"), "ten seconds before the order was given; fall was lost at 0:33");
+  assert.equal(why("due"), "ten seconds before the time for fall began; it was lost at 0:33");
+  assert.equal(why("loss"), "ten seconds before fall was lost, at 0:33");
+});
+
+test("an assessor's word stands with who gave it, and without points where nothing was assessed", () => {
+  const word = { recording: "mon-1-17", points: 80, outcome: "not_yet", by: "bo" };
+  assert.equal(wordSaid(word), "bo: 80 points, not yet");
+  assert.equal(wordSaid({ ...word, points: null, outcome: "achieved" }), "bo: achieved");
 });

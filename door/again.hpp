@@ -1,0 +1,36 @@
+#pragma once
+// From when an attempt that went wrong is done again.
+
+#include "recorder/debrief/judgement.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace windlass::door {
+
+/// Before what it begins.
+enum class AgainBefore {
+    levers, ///< a hand took the levers, and what it did lost it
+    order,  ///< the bridge gave the order of which it was lost
+    due,    ///< the moment from which on it was to come about
+    loss    ///< the loss itself: what lost it is not known
+};
+inline constexpr std::array kAgainBeforeNames{"levers", "order", "due", "loss"};
+
+inline const char* name_of(AgainBefore what) {
+    return kAgainBeforeNames.at(static_cast<std::size_t>(what));
+}
+
+struct Again {
+    double from = 0; ///< s of exercise: ten seconds before that, or where the attempt began
+    AgainBefore before = AgainBefore::loss;
+    std::string lost;   ///< what the criterion is called
+    double lost_at = 0; ///< s of exercise
+};
+
+/// Of the first must that was missed, without one of the first loss of points (debrief::went_wrong). Nothing:
+/// it went wrong at no moment.
+std::optional<Again> again_of(const debrief::Attempt& attempt);
+
+} // namespace windlass::door
