@@ -481,6 +481,7 @@ test("who may set marks alone has no other control; his word stands there with h
       await eventually(`an instructor may take over the ${title}`, () => offers(owner, `take over ${title}`));
       assert.equal(await offers(assessor, `take over ${title}`), 0, title);
     }
+    assert.equal(await assessor.locator(".top-bar .seat").textContent(), "Assessor");
     assert.ok(!(await assessor.locator(".catalogue").isVisible()), "no fault to be given");
     await assessor.getByRole("tab", { name: "Environment" }).click();
     const wind = assessor.getByLabel("Wind, speed, kn", { exact: true });

@@ -15,6 +15,7 @@ export class TopBar {
   readonly element: HTMLElement;
   /** For what a page adds: who has the levers, buttons. */
   readonly middle = h("div", { class: "middle" });
+  private readonly seat = h("h1", { class: "seat" });
   private readonly exercise = h("span", { class: "exercise" });
   private readonly time = h("span", { class: "time", role: "timer", "aria-label": t("exercise time") });
   private readonly state = h("span", { class: "state" });
@@ -41,7 +42,7 @@ export class TopBar {
       "header",
       { class: "top-bar" },
       h("span", { class: "title" }, "Windlass"),
-      h("h1", { class: "seat" }, title),
+      this.seat,
       ...(alerts ? [this.exercise, this.time, this.state] : []),
       this.middle,
       alerts?.sound.button,
@@ -51,7 +52,13 @@ export class TopBar {
       !units && languageButton(),
       choice,
     );
+    this.name(title);
     if (alerts) this.follow(link);
+  }
+
+  /** Whose page it is. */
+  name(title: string): void {
+    setText(this.seat, title);
   }
 
   private follow(link: Connection): void {
