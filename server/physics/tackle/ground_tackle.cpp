@@ -109,7 +109,8 @@ void GroundTackle::finish(const EnvironmentDef& environment, const EquipmentFaul
         chain_.position.set(0, anchor_.shackle());
         chain_.velocity.set(0, anchor_.shackle_velocity());
         const bool gives_way = anchor_.holding().dragging && deck.speed < 0;
-        gave_way_ = gives_way || (gave_way_ && !home());
+        const bool pulled_over = anchor_.holding().landed && anchor_.wound();
+        luck_decides_ = gives_way || pulled_over || (luck_decides_ && !home());
     }
     const bool poor =
         count_step(left_out || contacts.dropped() > 0 || (!anchor_sleeps && anchor_.touches_left_out()));
@@ -278,7 +279,7 @@ bool GroundTackle::finite() const {
 template <class Visitor, StateOf<GroundTackle> Self>
 void visit_state(Visitor& v, Self& self) {
     WINDLASS_STATE(v, self.chain_, self.strain_, self.twist_, self.windlass_, self.anchor_, self.counts_,
-                   self.recent_load_, self.gave_way_);
+                   self.recent_load_, self.luck_decides_);
     const double cable = self.setup_.chain.length; // as the files have it; what is outboard is of it
     v.within({"chain.top_length"}, self.chain_.top_length, kMinTop, cable);
     v.within({"windlass.state.cable_out"}, self.windlass_.state().cable_out, -cable, 2 * cable);

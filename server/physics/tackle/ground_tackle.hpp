@@ -98,7 +98,7 @@ public:
 
     ModelLevel level() const; ///< how the cable is computed now
     /// Estimated, of what the model does now; not estimated from when its anchor gives way to the cable that
-    /// is hove in until it is home.
+    /// is hove in, or is foul of its own cable on the bottom, until it is home.
     ModelError error(const EnvironmentDef& environment) const;
 
     const TackleSetup& setup() const { return setup_; }
@@ -174,7 +174,8 @@ private:
     Vec3 pull_on_ship_ = Vec3::Zero();
     ModelError spacing_error_; ///< of cutting the cable into links
     RecentLoad recent_load_;
-    bool gave_way_ = false; ///< the anchor, while it was hove; and is not home yet
+    /// Where the anchor comes to lie: it gave way while it was hove, or lay foul of its cable; not home yet.
+    bool luck_decides_ = false;
     bool too_long_ = false; ///< the steps of this tick
     std::int64_t visits_ = 0;
     std::optional<Sleep> sleep_; ///< both, if there is a budget

@@ -96,8 +96,10 @@ ModelError place_error(const ChainDef& chain, const EnvironmentDef& environment,
 ModelError GroundTackle::error(const EnvironmentDef& environment) const {
     // The further it drags the less it holds, and whether it stops in this swell or the next is decided by
     // what no two computations share. On the brake they meet again when it holds (no worse covered than the
-    // rest of the run, docs/physics.md); while the cable comes in they do not.
-    if (gave_way_) return kNotEstimated;
+    // rest of the run, docs/physics.md); while the cable comes in they do not. Nor do they where cable over
+    // it pulls it crown first: when it turns round is not shared either, and it comes to lie metres
+    // elsewhere.
+    if (luck_decides_) return kNotEstimated;
     ModelError full = together(spacing_error_, unsteady_error(recent_load_));
     const HoldingState& holding = anchor_.holding();
     if (holding.landed && chain_.parted < 0)
