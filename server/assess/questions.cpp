@@ -60,7 +60,10 @@ void judge_answer(const Criterion& criterion, Mark& mark, const exercise::Answer
     if (!course.open || !allows(question, answer)) return;
     course.open = false;
     course.answer = answer.kind, course.value = answer.value, course.choice = answer.choice;
-    decide(mark, earned_by(answer, question, course), state.tick);
+    if (answer.kind == exercise::AnswerKind::passed_over)
+        mark.state = CriterionState::not_in_play; // by an instructor, and nobody's loss
+    else
+        decide(mark, earned_by(answer, question, course), state.tick);
 }
 
 } // namespace windlass::assess

@@ -138,16 +138,24 @@ bool shows_anything(const Lesson& lesson, const State& state) {
     return false;
 }
 
+/// Whether orders or reports show it: what a bridge that gave up had no answer to. nullptr: the whole.
+bool is_of_words(const Lesson& lesson, const std::string* objective) {
+    return objective == nullptr || std::ranges::any_of(lesson.criteria, [&](const Criterion& one) {
+               return one.objective == *objective &&
+                      (one.kind == CriterionKind::order || one.kind == CriterionKind::report);
+           });
+}
+
 Outcome outcome_of(const Lesson& lesson, const State& state, const std::string* objective, int pass) {
     if (state.ending != Ending::abort && !shows_anything(lesson, state)) return Outcome::not_shown;
     const Outcome outcome = musts(lesson, state, true, objective);
     if (outcome == Outcome::not_yet || state.ending == Ending::abort) return Outcome::not_yet;
-    if (objective == nullptr && state.gave_up) return Outcome::not_yet;
     bool shown = false;
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k)
         shown = shown || ((objective == nullptr || lesson.criteria[k].objective == *objective) &&
                           counted(state.marks[k], true));
     if (!shown) return Outcome::not_shown;
+    if (state.gave_up && is_of_words(lesson, objective)) return Outcome::not_yet;
     return earned(lesson, state, {.objective = objective}).tenths() < 10 * pass ? Outcome::not_yet : outcome;
 }
 

@@ -351,6 +351,22 @@ TEST(Bridge, GivesUpOnHimWhoRefusesWhatIsSafe) {
     EXPECT_NE(bridge.now().abort.find("no answer to"), std::string::npos) << bridge.now().abort;
 }
 
+// He did as he was told and said nothing of it: of what words are to show, nothing is.
+TEST(Bridge, ThatGaveUpLeavesNothingAchievedThatOrdersOrReportsShow) {
+    Bridge bridge(
+        R"({"id": "T", "patience": 60, "objectives": [{"id": "words", "text": "Speaks"}], "orders": [
+        {"id": "two", "code": "pay_out", "value": 2, "when": {"time": 1}},
+        {"id": "three", "code": "pay_out", "value": 3}],
+      "criteria": [{"id": "o", "kind": "order", "orders": ["two", "three"], "objective": "words"}],
+      "end": {"good": {"answered": "three"}, "time": 3000}})");
+    bridge.chain().cable_out = 2 * 27.5;
+    bridge.on(600);
+    ASSERT_TRUE(bridge.now().finished);
+    EXPECT_NE(bridge.now().abort.find("no answer to"), std::string::npos) << bridge.now().abort;
+    EXPECT_GE(bridge.now().criteria[0].milli, 500) << "the order was carried out";
+    EXPECT_EQ(bridge.now().objectives[0].outcome, Outcome::not_yet);
+}
+
 // He means the last order that he was given, and none of another side; a question is nothing unsafe.
 TEST(Bridge, KnowsWhichOrderIsCalledUnsafe) {
     Bridge other(kHeave);

@@ -93,14 +93,14 @@ TEST(Question, AChoiceIsRightWhereItsConditionHeldAtTheFreeze) {
     }
 }
 
-TEST(Question, WhatIsNotKnownOrNotAnsweredIsNotShownAndSaysWhatWasSo) {
+TEST(Question, WhatIsNotKnownEarnsNothingWhatIsPassedOverCountsForNobodyAndBothSayWhatWasSo) {
     Course unknowing = asked();
     unknowing.say({.question = "out", .kind = AnswerKind::not_known});
     EXPECT_EQ(unknowing.mark().milli, 0);
     EXPECT_THAT(unknowing.mark().reason, HasSubstr("he could not tell; right: 4 shackles"));
     Course passed = asked();
     passed.say({.question = "out", .kind = AnswerKind::passed_over});
-    EXPECT_EQ(passed.mark().milli, 0);
+    EXPECT_EQ(passed.mark().state, CriterionState::not_in_play);
     EXPECT_THAT(passed.mark().reason, HasSubstr("not answered; right: 4 shackles"));
     Course ended = asked();
     ended.end();
