@@ -121,22 +121,40 @@ Result ClassRuns::result(const std::string& exercise) const {
     return result;
 }
 
-std::optional<double> ClassRuns::gives_up(const std::string& exercise) const {
-    static const std::set<std::string> kGoesOn{"assessment.answered", "lesson.over", "exercise.loaded",
-                                               "exercise.reset", "exercise.restored"};
+void ClassRuns::look_back(const std::string& exercise, const std::function<bool(const Event&)>& look) const {
+    static const std::set<std::string> kBegins{"exercise.loaded", "exercise.reset", "exercise.restored"};
     const auto desk = desks_.find(exercise);
-    if (desk == desks_.end()) return std::nullopt;
+    if (desk == desks_.end()) return;
     const auto events = desk->second->feed.kept(wire::topics::event);
     for (auto frame = events.rbegin(); frame != events.rend(); ++frame) {
         try {
             const auto heard = wire::decode<Event>((*frame)->payload);
-            if (heard.code() == "assessment.unanswered") return heard.value();
-            if (kGoesOn.contains(heard.code().to_string())) return std::nullopt;
+            if (kBegins.contains(heard.code().to_string()) || !look(heard)) return;
         } catch (const std::exception&) {
             continue; // of a writer that is no server of ours
         }
     }
-    return std::nullopt;
+}
+
+std::optional<double> ClassRuns::gives_up(const std::string& exercise) const {
+    std::optional<double> at;
+    look_back(exercise, [&](const Event& event) {
+        const bool waits = event.code() == "assessment.unanswered";
+        if (waits) at = event.value();
+        return !waits && event.code() != "assessment.answered" && event.code() != "lesson.over";
+    });
+    return at;
+}
+
+bool ClassRuns::holds_for_a_question(const std::string& exercise) const {
+    int open = 0;     // of those that were looked at
+    int answered = 0; // behind the one that is looked at
+    look_back(exercise, [&](const Event& event) {
+        if (event.code() == "question.answered" || event.code() == "question.passed_over") ++answered;
+        if (event.code() == "question.asked" && answered-- == 0) ++open;
+        return open == 0 && answered >= 0 && event.code() != "lesson.over";
+    });
+    return open > 0;
 }
 
 /// From when somebody sits there: so the recorder hears before it is started.

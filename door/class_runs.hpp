@@ -6,6 +6,7 @@
 #include "station/gateway/gateway.hpp"
 
 #include <deque>
+#include <functional>
 #include <set>
 
 namespace windlass::door {
@@ -49,11 +50,15 @@ public:
     /// s of exercise at which the lesson's bridge, which has asked in vain, gives up and ends it, unless it
     /// hears something; nothing: it waits for no answer.
     std::optional<double> gives_up(const std::string& exercise) const;
+    /// Whether an exercise holds for a question to one of its seats.
+    bool holds_for_a_question(const std::string& exercise) const;
     /// s of wall time since an exercise was heard to run on from a start or a pause; 0: it does not.
     double ran_for(const std::string& exercise, gateway::Clock::time_point now) const;
     std::size_t servers() const { return servers_.size(); }
 
 private:
+    /// An exercise's events since its run began, the newest first, until one of them is enough (false).
+    void look_back(const std::string& exercise, const std::function<bool(const Event&)>& look) const;
     /// The way to one exercise.
     struct Desk {
         Desk(const gateway::SharedReaders& readers, const std::string& exercise);

@@ -415,9 +415,13 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
         const TrainingClass& its_class = under_way();
         const bool start = what == "start";
         // Of an exercise in which nobody sits yet the time would run out on who comes late.
-        const auto exercises = start ? its_class.manned() : its_class.exercises;
+        auto exercises = start ? its_class.manned() : its_class.exercises;
         if (exercises.empty())
             throw Denied(409, "nobody sits in this class yet: an exercise is started once somebody does");
+        // A start would pass over what a seat is being asked; it goes on by itself once that is answered.
+        if (start) std::erase_if(exercises, [&](const auto& one) { return runs_.holds_for_a_question(one); });
+        if (exercises.empty())
+            throw Denied(409, "it holds for a question, and goes on once that is answered");
         if (start && !runs_.at_their_moment(its_class))
             throw Denied(409, "not all exercises stand at their moment yet: wait");
         runs_.give(exercises, wire::topics::exercise_command,
@@ -556,6 +560,7 @@ json DoorHost::class_told(const TrainingClass& told) {
                   {"trouble", runs_.trouble(exercise)}};
         const auto gives_up = runs_.gives_up(exercise);
         each["gives_up"] = gives_up ? json(*gives_up) : json();
+        each["asked"] = runs_.holds_for_a_question(exercise);
         const auto heard = runs_.told(exercise);
         each["heard"] = heard.has_value();
         if (const auto last = heard ? heard : runs_.lost(exercise)) {

@@ -124,7 +124,7 @@ const OrderDone* known_of(const Attempt& attempt, const BridgeOrder& order) {
 /// that, or the first where it was so already.
 void tell_done(const Attempt& attempt, const BridgeOrder& order, OrderSaid& row) {
     const OrderDone* known = known_of(attempt, order);
-    if (known == nullptr) return;
+    if (known == nullptr || order.state() == ORDER_CANCELLED) return; // nobody was to carry it out any more
     if (known->tick() == 0) {
         row.judged = known->number() == row.number;
         return;

@@ -297,9 +297,7 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await eventually("its times open the replay", () => debriefing.url().includes("/instructor?exercise=replay-"));
   await row.getByRole("button", { name: /^Again from \d+:\d\d$/ }).click();
   await eventually("a class for her and who sat beside her, from there", async () =>
-    /For .*carla.* alone.*; from \d+:\d\d of .*, ten seconds before .* was lost/.test(
-      await owner.locator("form").textContent(),
-    ),
+    /For .*carla.* alone.*; from \d+:\d\d of .*, .*went wrong.*/.test(await owner.locator("form").textContent()),
   );
   await look(owner, "class_again");
   assert.ok(await owner.getByLabel("for practice, with hints").isDisabled(), "it is no test");

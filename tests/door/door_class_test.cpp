@@ -186,6 +186,31 @@ TEST_F(Class, SaysWhenTheSilenceOfASeatEndsItsLesson) {
     EXPECT_NEAR(told()["gives_up"].get<double>(), 63, 1) << "said once and three times again, 15 s apart";
 }
 
+// A start passes a question over, and at the desk it is meant to.
+TEST_F(Class, IsNotStartedOverAQuestionThatASeatIsBeingAsked) {
+    const std::string code = open_class("mon", 1, 2, "L27_the_conn");
+    expect_made("mon");
+    Browser ben = trainee(code, "ben"), carl = trainee(code, "carl");
+    const auto told = [this] { return class_told("mon")["exercises"][0]; };
+    const auto start = [this] { return owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}); };
+    EXPECT_EQ(start().status, 200);
+    ASSERT_TRUE(eventually([&] { return told()["time"] > 1.0; })) << door_->text();
+    EXPECT_EQ(told()["asked"], false);
+    const nlohmann::json let_go{{"code", "BRIDGE_ORDER_LET_GO"}, {"side", 0}};
+    EXPECT_EQ(
+        owner()
+            .post("/door/class",
+                  {{"do", "give"}, {"class", "mon"}, {"topic", "BridgeOrderCommand"}, {"sample", let_go}})
+            .status,
+        200);
+    ASSERT_TRUE(eventually([&] { return told()["asked"] == true && told()["state"] == RUN_PAUSED; }))
+        << told();
+    const Answer refused = start();
+    EXPECT_EQ(refused.status, 409);
+    EXPECT_THAT(refused.body, HasSubstr("holds for a question"));
+    EXPECT_EQ(told()["asked"], true);
+}
+
 TEST_F(Class, IsStartedWhereSomebodySitsAndElsewhereOnceSomebodyDoes) {
     const std::string code = open_class("mon", 2, 1);
     expect_made("mon");

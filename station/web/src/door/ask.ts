@@ -156,6 +156,8 @@ export interface ClassExercise {
   outcome: string;
   /** s of exercise at which the lesson's bridge, which has asked in vain, gives up and ends it; null: it waits not. */
   gives_up: number | null;
+  /** It holds for a question to one of its seats. */
+  asked: boolean;
   /** Why it is not there yet, does not stand at its moment, or is not recorded; empty: nothing is wrong. */
   trouble: string;
 }

@@ -19,7 +19,7 @@ import {
   partWords,
   placeWords,
 } from "./ask";
-import { field, form } from "./frame";
+import { field, form } from "./form";
 import { t } from "../kit/language";
 
 /** In words: points, and what they mean once the lesson is over. */
@@ -39,18 +39,18 @@ const notJudged = ({ bridge_judged }: TrainingClass): string =>
 
 const kLook = 2000; // ms
 
-/** Why a class that goes on does so from there: "ten seconds before the levers were taken; fall was lost at 0:33". */
+/** Why a class that goes on does so from there: "fall went wrong at 0:33: ten seconds before its time began". */
 export function whyFrom({ before, lost, lost_at }: From): string {
   const its = { lost, at: clock(lost_at) };
   switch (before) {
     case "levers":
-      return t("ten seconds before the levers were taken; {lost} was lost at {at}", its);
+      return t("{lost} went wrong at {at}: ten seconds before the last move of the levers until then", its);
     case "order":
-      return t("ten seconds before the order was given; {lost} was lost at {at}", its);
+      return t("{lost} went wrong at {at}: ten seconds before the last order until then", its);
     case "due":
-      return t("ten seconds before the time for {lost} began; it was lost at {at}", its);
+      return t("{lost} went wrong at {at}: ten seconds before its time began", its);
     case "loss":
-      return t("ten seconds before {lost} was lost, at {at}", its);
+      return t("ten seconds before {lost} went wrong, at {at}", its);
   }
 }
 
@@ -108,10 +108,11 @@ class WordOn {
   readonly element = h("div", { class: "word", hidden: true });
   private readonly said = h("p", { class: "quiet", role: "status" });
 
-  /** judges: who looks at it may give one. */
+  /** judges: who looks at it may give one. onGiven: what is to be practised next may be another thing now. */
   constructor(
     private readonly of: ClassExercise,
     judges: boolean,
+    private readonly onGiven: () => void,
   ) {
     this.element.append(this.said);
     if (judges && of.outcome !== "practice") this.element.append(this.form()); // that shows no competence
@@ -141,7 +142,7 @@ class WordOn {
         t("Set"),
         [
           field(t("Outcome"), outcome),
-          field(t("Points"), points, t("of 100; none: as computed")),
+          field(t("Points"), points, t("of 100; none: as they stand")),
           field(t("Why"), note, t("10 characters at least")),
         ],
         async () => {
@@ -155,6 +156,7 @@ class WordOn {
           );
           note.value = "";
           details.open = false;
+          this.onGiven();
         },
       ),
     );
@@ -179,7 +181,9 @@ async function fillNext(
   for (const word of words) word.take(told);
   const { next } = told;
   for (const one of next) {
-    const again = one.from && open ? againFrom(one, one.from, it, open) : [];
+    // The latest attempt may be of a class since, and is done again there.
+    const here = one.from && it.exercises.some(({ recording }) => recording === one.from?.recording);
+    const again = one.from && here && open ? againFrom(one, one.from, it, open) : [];
     cells.get(one.name)?.replaceChildren(...nextWords(one), ...again);
   }
   const classOf = (group: Next[], { title, practice }: Next): HTMLElement =>
@@ -216,7 +220,7 @@ export function classMarks(it: TrainingClass, title: string, judges: boolean, op
   /** One is said of all who worked in it: with the first whose marks they are. */
   const wordOn = (each: ClassExercise, part: Part): Node[] => {
     if (!each.recording || part !== each.parts.find(({ judged }) => judged)) return [];
-    const word = new WordOn(each, judges);
+    const word = new WordOn(each, judges, () => void tellNext(it, cells, words, list, open));
     words.push(word);
     return [word.element];
   };

@@ -404,6 +404,8 @@ function stateOf(each: ClassExercise): string {
   const { state, time, heard, outcome } = each;
   if (state === null) return t("is being made");
   if (outcome && isOver(each) && state !== RunState.RUN_STOPPED_BY_FAULT) return t("lesson over");
+  if (each.asked && heard && state === RunState.RUN_PAUSED)
+    return t("holds for a question to a seat {time}", { time: clock(time) });
   const last = `${runStateWords(state)} ${clock(time)}`;
   return heard ? last : t("not heard, was {last}", { last });
 }

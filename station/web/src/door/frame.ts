@@ -1,4 +1,4 @@
-// What the pages of the door have around them: the bar on top, and forms that say what went wrong.
+// What the pages of the door have around them: the bar on top.
 
 import { byId, h, setText } from "../kit/dom";
 import { nextPalette, paletteLabel, paletteWord } from "../kit/palette";
@@ -30,32 +30,4 @@ export function frame(title: string, ...inBar: Node[]): HTMLElement {
     ),
   );
   return byId("page");
-}
-
-/** A field of a form with its label. */
-export function field(label: string, input: HTMLElement, hint = ""): HTMLElement {
-  return h("label", { class: "field" }, h("span", {}, label), input, hint && h("small", { class: "quiet" }, hint));
-}
-
-/** A form with one button. send may throw: the reason stands below, and what was typed stays. */
-export function form(words: string, fields: Node[], send: () => Promise<void>): HTMLFormElement {
-  const why = h("p", { class: "why", role: "alert" });
-  const button = h("button", { class: "primary" }, words);
-  return h(
-    "form",
-    {
-      class: "panel",
-      onsubmit: (event: Event) => {
-        event.preventDefault();
-        setText(why, "");
-        button.disabled = true;
-        send()
-          .catch((error: Error) => setText(why, error.message))
-          .finally(() => (button.disabled = false));
-      },
-    },
-    ...fields,
-    button,
-    why,
-  );
 }

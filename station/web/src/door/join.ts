@@ -2,7 +2,8 @@
 
 import { h } from "../kit/dom";
 import { type Me, act, ask } from "./ask";
-import { field, form, frame } from "./frame";
+import { field, form } from "./form";
+import { frame } from "./frame";
 import { t, translated } from "../kit/language";
 import { capital } from "../kit/words";
 import { whySentAway } from "../wire/connection";

@@ -3,7 +3,7 @@
 import { h } from "../kit/dom";
 import { t } from "../kit/language";
 import { type PlaceName, act, ask, placeWords } from "./ask";
-import { field, form } from "./frame";
+import { field, form } from "./form";
 import { qr } from "./qr";
 
 interface Kiosks {

@@ -2,7 +2,8 @@
 
 import { h } from "../kit/dom";
 import { act } from "./ask";
-import { field, form, frame } from "./frame";
+import { field, form } from "./form";
+import { frame } from "./frame";
 import { t } from "../kit/language";
 
 const nameInput = (): HTMLInputElement =>

@@ -3,7 +3,7 @@
 import { h, setText } from "../kit/dom";
 import { type Classes, type Again, type Lessons, type Next, act } from "./ask";
 import { whyFrom } from "./class_marks";
-import { field, form } from "./frame";
+import { field, form } from "./form";
 import { freeName } from "./free_name";
 import { namesOf } from "./names";
 import { t } from "../kit/language";

@@ -1,8 +1,10 @@
 // Who may log in: an owner's page.
 
 import { h } from "../kit/dom";
+import { holdButton } from "../kit/hold_button";
 import { act, ask } from "./ask";
-import { field, form, frame } from "./frame";
+import { field, form } from "./form";
+import { frame } from "./frame";
 import { t, translated } from "../kit/language";
 
 interface People {
@@ -27,14 +29,11 @@ export async function makePeople(): Promise<void> {
           {},
           h("strong", {}, name),
           h("span", { class: "quiet" }, translated(rank)),
-          h(
-            "button",
-            {
-              class: "plain",
-              onclick: () =>
-                act<People>("people", { do: "remove", name }).then(show, (why: Error) => alert(why.message)),
-            },
+          holdButton(
             t("Remove"),
+            1,
+            () => void act<People>("people", { do: "remove", name }).then(show, (why: Error) => alert(why.message)),
+            { class: "plain" },
           ),
         ),
       ),

@@ -1,8 +1,15 @@
 // What came of the lesson, for those who worked it: what they did, when, what was so, why it matters, and what to work
 // on next time. It opens by itself when the marks are told, and is behind its button from then on.
 
-import type { Connection } from "../wire/connection";
-import { type Assessment, BridgeOrderState, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
+import type { Connection, Seat } from "../wire/connection";
+import {
+  type Assessment,
+  type BridgeOrder,
+  BridgeOrderState,
+  type Criterion,
+  CriterionState,
+  LessonEnding,
+} from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import { written } from "./orders";
@@ -193,9 +200,9 @@ export class OwnMarks {
           ),
         ),
       ),
-      section(t("Orders"), this.orders(assessment, at)),
+      section(t("Orders"), this.orders(assessment)),
       section(
-        t("Your reports"),
+        reportsBy(this.link.hello?.seat),
         assessment.reports.map(({ tick, code, criterion, milli, timed, delay, text }) => {
           const row = reportRows[code];
           const right = milli >= kRight;
@@ -218,20 +225,29 @@ export class OwnMarks {
     this.body.replaceChildren(...parts.filter((part) => part instanceof HTMLElement));
   }
 
-  private orders({ orders }: Assessment, at: (tick: number) => string): HTMLElement[] {
+  private orders(assessment: Assessment): HTMLElement[] {
     const run = this.link.latest("ExerciseStatus")?.run;
     const given = this.link.all("BridgeOrder").filter((order) => order.run === run);
-    return orders.flatMap(({ number, tick }) => {
+    return assessment.orders.flatMap(({ number, tick }) => {
       const order = given.find((each) => each.number === number);
       if (!order) return [];
-      const open =
-        order.state === BridgeOrderState.ORDER_CANCELLED
-          ? saidOf("BridgeOrderState", order.state)
-          : t("not carried out");
-      const done = tick > 0 ? t("carried out {time}", { time: at(tick) }) : open;
-      return [h("li", {}, `${clock(order.time)} ${written(order)}`, h("span", { class: "quiet" }, done))];
+      const done = tick > 0 ? (tick * assessment.time) / assessment.tick : undefined;
+      const came = orderDone(order, done);
+      return [h("li", {}, `${clock(order.time)} ${written(order)}`, h("span", { class: "quiet" }, came))];
     });
   }
+}
+
+const reportsBy = (seat: Seat | undefined): string =>
+  seat === "forecastle" || seat === "trainee" ? t("Your reports") : t("Reports of the forecastle");
+
+/** What came of an order. done: s of exercise, when it was carried out; undefined: it was not. */
+export function orderDone({ state, time }: Pick<BridgeOrder, "state" | "time">, done: number | undefined): string {
+  if (state === BridgeOrderState.ORDER_CANCELLED) return saidOf("BridgeOrderState", state);
+  if (done === undefined) return t("not carried out");
+  return done < time
+    ? t("so already at {time}", { time: clock(done) })
+    : t("carried out {time}", { time: clock(done) });
 }
 
 const spaced = (code: string): string => code.replace(/[_-]/g, " ");

@@ -33,10 +33,10 @@ test("who was relieved goes on alone, where he was", () => {
 test("a class that goes on says before what it begins, and what was lost by that", () => {
   const why = (before: From["before"]): string =>
     whyFrom({ recording: "mon-1-17", position: 14, time: 10, before, lost: "fall", lost_at: 33.4 });
-  assert.equal(why("levers"), "ten seconds before the levers were taken; fall was lost at 0:33");
-  assert.equal(why("order"), "ten seconds before the order was given; fall was lost at 0:33");
-  assert.equal(why("due"), "ten seconds before the time for fall began; it was lost at 0:33");
-  assert.equal(why("loss"), "ten seconds before fall was lost, at 0:33");
+  assert.equal(why("levers"), "fall went wrong at 0:33: ten seconds before the last move of the levers until then");
+  assert.equal(why("order"), "fall went wrong at 0:33: ten seconds before the last order until then");
+  assert.equal(why("due"), "fall went wrong at 0:33: ten seconds before its time began");
+  assert.equal(why("loss"), "ten seconds before fall went wrong, at 0:33");
 });
 
 test("an assessor's word stands with who gave it, and without points where nothing was assessed", () => {
