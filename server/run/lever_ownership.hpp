@@ -7,6 +7,7 @@
 #include "server/exercise/definition/orders.hpp"
 #include "server/run/received_order.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -69,7 +70,9 @@ private:
         bool instructor = false;
         std::optional<double> left; // s of ListeningTime, when his writer was gone
 
-        double given_up_at() const { return left ? *left : heard + kHandSilent; }
+        double given_up_at() const {
+            return std::min(left.value_or(heard + kHandSilent), heard + kHandSilent);
+        }
         /// A writer that goes after a silence is one whose page hung, or whose program was killed and is now
         /// missed by DDS: that hand has not let go.
         bool let_go() const { return left && *left - heard < 1; }

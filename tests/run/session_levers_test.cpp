@@ -341,6 +341,22 @@ TEST_F(SessionTest, HandWhoseWriterGoesAfterASilenceHasNotLetGo) {
               "clutch and stopper as they were");
 }
 
+// Between the end of its time and the moment that is left to the next hand.
+TEST_F(SessionTest, HandWhoseWriterGoesOnceItWasGivenUpIsGoneNoLater) {
+    constexpr WriterKey kHis{1};
+    Session session({}, options());
+    Inbox inbox;
+    inbox.orders.push_back({"trainee-1", levers(0.5), false, kHis});
+    session.carry_out(inbox, 10);
+    hear_nothing(session, 10.05, 10 + kHandSilent + 0.1);
+    inbox.clear();
+    inbox.left.push_back(kHis);
+    session.carry_out(inbox, 10 + kHandSilent + 0.15);
+    EXPECT_EQ(count(session, "levers.lost"), 0);
+    session.carry_out({}, 10 + kHandSilent + 0.25);
+    EXPECT_EQ(count(session, "levers.lost"), 1);
+}
+
 // Its program was held up for longer than DDS waits: what it says then is no late word of a writer that is
 // there no more, and the levers do not fall out of its hand with each.
 TEST_F(SessionTest, HandThatWasMissedAndIsThereAgainHoldsItsLevers) {
