@@ -124,9 +124,9 @@ const OrderDone* known_of(const Attempt& attempt, const BridgeOrder& order) {
 /// that, or the first where it was so already.
 void tell_done(const Attempt& attempt, const BridgeOrder& order, OrderSaid& row) {
     const OrderDone* known = known_of(attempt, order);
-    if (known == nullptr || order.state() == ORDER_CANCELLED) return; // nobody was to carry it out any more
-    if (known->tick() == 0) {
-        row.judged = known->number() == row.number;
+    if (known == nullptr) return;
+    if (known->tick() == 0) { // and what was taken back nobody was to carry out any more
+        row.judged = known->number() == row.number && order.state() != ORDER_CANCELLED;
         return;
     }
     const double done = attempt.time_of(known->tick());

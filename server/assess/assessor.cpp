@@ -73,6 +73,9 @@ void Assessor::visit(physics::StateVisitor& v) {
     const int first = state_.ending == Ending::abort ? 0 : -1;
     v.within({"aborted_by"}, state_.aborted_by, first, static_cast<int>(lesson_->abort.size()) - 1);
     v.within({"changes"}, state_.changes, 0, static_cast<int>(lesson_->schedule.size()));
+    v.within({"further"}, static_cast<int>(state_.further.size()), 0,
+             lesson_->bridge_manned ? static_cast<int>(kMostOrders)
+                                    : 0); // else there is nothing to hold it by
     for (const auto* reports : {&state_.waiting, &state_.unasked})
         for (const JudgedReport& report : *reports)
             v.within({"unasked"}, report.criterion, 0, static_cast<int>(lesson_->unasked.size()) - 1);

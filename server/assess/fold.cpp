@@ -189,6 +189,7 @@ void watch_orders(const Lesson& lesson, State& state, const Snapshot& seen, int 
         }
         OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
         course.number = order.number;
+        course.taken_back = false;
         if (k == state.renewing) {
             state.renewing = -1; // its deadlines stay those of the first time
             continue;
@@ -212,9 +213,10 @@ void watch_orders(const Lesson& lesson, State& state, const Snapshot& seen, int 
         course.unsafe = unsafe && holds(*unsafe, lesson, state, seen, tick_rate);
         const auto found = std::find_if(seen.bridge_orders.begin(), seen.bridge_orders.end(),
                                         [&](const auto& order) { return order.number == course.number; });
-        const bool taken_back =
+        const bool is_cancelled =
             found != seen.bridge_orders.end() && found->state == exercise::BridgeOrderState::cancelled;
-        if (taken_back && course.doubted >= 0) { // by a bridge that is manned
+        if (is_cancelled && course.done < 0) course.taken_back = true;
+        if (is_cancelled && course.doubted >= 0) { // by a bridge that is manned
             course.doubted = -1;
             course.challenged = state.tick;
             continue;
@@ -479,8 +481,8 @@ void hear(const Lesson& lesson, State& state, const exercise::Order& order, int 
             mark.given_milli = 1000;
             break;
         case exercise::AssessorVerdict::confirmed: // what stands, by his own word or as it is computed
-            if (!mark.overridden)
-                mark.given_milli = mark.state == CriterionState::not_in_play ? -1 : mark.milli;
+            if (!mark.overridden && mark.state == CriterionState::not_in_play) continue; // nothing does
+            if (!mark.overridden) mark.given_milli = mark.milli;
             break;
         case exercise::AssessorVerdict::not_met:
             mark.given_milli = 0;

@@ -241,7 +241,7 @@ std::string abort_text(const Lesson& lesson, const State& state, Ending ending) 
 std::vector<OrderDoneResult> orders_done(const State& state) {
     std::vector<OrderDoneResult> all;
     for (const OrderCourse& course : state.orders)
-        if (course.given >= 0) all.push_back({course.number, wire_tick(course.done)});
+        if (course.given >= 0) all.push_back({course.number, course.taken_back ? 0 : wire_tick(course.done)});
     for (const FurtherOrder& order : state.further)
         all.push_back({order.number, wire_tick(order.done)});
     if (!state.further.empty()) std::ranges::stable_sort(all, {}, &OrderDoneResult::number);

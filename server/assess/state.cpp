@@ -72,10 +72,10 @@ void visit_state(Visitor& v, Self& self) {
     for (auto& order : orders) {
         auto& [asked_for, number, given, repeated, done, each_since, each_done, in_time, misrepeated,
                wrong_now, do_by, answered, short_of, was_so, skipped, unsafe, doubted, proposed,
-               proposed_value, challenged, figure] = order;
+               proposed_value, challenged, figure, taken_back] = order;
         WINDLASS_STATE(v, asked_for, number, given, repeated, done, in_time, misrepeated, wrong_now, do_by,
                        answered, short_of, was_so, skipped, unsafe, doubted, proposed, proposed_value,
-                       challenged, figure);
+                       challenged, figure, taken_back);
         for (auto* each : {&each_since, &each_done})
             for (auto& tick : *each)
                 v.field({"each"}, tick);

@@ -38,7 +38,8 @@ struct OrderCourse {
     exercise::BridgeOrderCode proposed = exercise::BridgeOrderCode::text; ///< instead of it; text: nothing
     double proposed_value = 0;                                            ///< figure of what was proposed
     std::int64_t challenged = -1; ///< when the bridge took it back because it was unsafe
-    double figure = 0; ///< that a bridge which is manned has put to an order that has none; 0: none
+    double figure = 0;       ///< that a bridge which is manned has put to an order that has none; 0: none
+    bool taken_back = false; ///< before it was carried out: what comes of it later is no deed
 };
 
 /// What a bridge that is manned orders besides: once more, another length, or what the lesson does not wait

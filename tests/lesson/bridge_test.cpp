@@ -454,6 +454,24 @@ TEST(Bridge, ThatIsMannedHasPaidOutWhatItOrderedOnceTheCableStandsThere) {
     EXPECT_TRUE(bridge.is_done(1));
 }
 
+// The lesson's own order of the kind goes on with the next of them.
+TEST(Bridge, ThatIsMannedAndTakesAnOrderBackHasItCarriedOutByNobody) {
+    Manned bridge;
+    bridge.order(BridgeOrderCode::pay_out, 4);
+    bridge.seen().bridge_orders[0].state = BridgeOrderState::cancelled;
+    bridge.on(1);
+    bridge.order(BridgeOrderCode::pay_out, 4);
+    bridge.chain().cable_out = 4 * 27.5;
+    bridge.on(5);
+    ASSERT_EQ(bridge.now().orders.size(), 2U);
+    EXPECT_FALSE(bridge.is_done(0));
+    EXPECT_TRUE(bridge.is_done(1));
+    EXPECT_EQ(bridge.mark().milli, 1000);
+    bridge.seen().bridge_orders[1].state = BridgeOrderState::cancelled;
+    bridge.on(1);
+    EXPECT_TRUE(bridge.is_done(1)) << "it was carried out before";
+}
+
 TEST(Bridge, ThatIsMannedHasEachOfItsOrdersInTheListThatAWindlassShowsOrAReportAnswers) {
     Manned bridge;
     bridge.windlass().clutch = exercise::ClutchState::out;

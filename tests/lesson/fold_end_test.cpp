@@ -245,6 +245,24 @@ TEST(Assessment, ConfirmedOnceMoreAnAssessorsWordStands) {
     EXPECT_EQ(course.now().tenths, 200);
 }
 
+TEST(Assessment, ConfirmedAMustThatTheLessonNeverCameToIsNotExcused) {
+    Course course(lesson(
+        R"({"id": "a", "kind": "final", "that": {"stopper": "on"}},
+           {"id": "b", "kind": "state_at", "at": "bottom", "that": {"brake_position": {"above": 0.9}}, "must": true})",
+        R"(, "end": {"time": 2})"));
+    course.windlass().stopper_closed = true;
+    course.run(5);
+    const Result before = course.now();
+    EXPECT_EQ(before.outcome, Outcome::not_shown);
+    course.say({.criterion = "b",
+                .verdict = exercise::AssessorVerdict::confirmed,
+                .note = "as it stands",
+                .by = "Ben"});
+    EXPECT_TRUE(course.mark(1).counts);
+    EXPECT_EQ(course.now().tenths, before.tenths);
+    EXPECT_EQ(course.now().outcome, before.outcome);
+}
+
 TEST(Assessment, AssessorsWordStandsBesideTheComputedMark) {
     Course course(lesson(R"({"id": "a", "kind": "final", "that": {"stopper": "on"}})"));
     course.windlass().stopper_closed = false;

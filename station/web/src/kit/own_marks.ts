@@ -243,8 +243,8 @@ const reportsBy = (seat: Seat | undefined): string =>
 
 /** What came of an order. done: s of exercise, when it was carried out; undefined: it was not. */
 export function orderDone({ state, time }: Pick<BridgeOrder, "state" | "time">, done: number | undefined): string {
-  if (state === BridgeOrderState.ORDER_CANCELLED) return saidOf("BridgeOrderState", state);
-  if (done === undefined) return t("not carried out");
+  if (done === undefined)
+    return state === BridgeOrderState.ORDER_CANCELLED ? saidOf("BridgeOrderState", state) : t("not carried out");
   return done < time
     ? t("so already at {time}", { time: clock(done) })
     : t("carried out {time}", { time: clock(done) });
