@@ -36,7 +36,7 @@ struct AttemptJudged {
     std::string recording; ///< its name
     std::string by;
     std::string outcome;               ///< achieved, not_yet, not_shown
-    std::optional<double> points = {}; ///< 0..100; nothing: as computed
+    std::optional<double> points = {}; ///< 0..100; nothing: as they stand
     std::string note;
 };
 

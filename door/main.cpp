@@ -1,18 +1,16 @@
 // The door: every page of every exercise of this machine's servers, by TLS, for whoever is let in.
 
-#include "door/again.hpp"
+#include "door/class_history.hpp"
 #include "door/cmi5/course.hpp"
 #include "door/kiosks.hpp"
 #include "door/private_file.hpp"
 #include "door/secrets.hpp"
 #include "door/tls_server.hpp"
 #include "instructor_console/debrief_page.hpp"
-#include "instructor_console/history/history.hpp"
 #include "instructor_console/lesson_files.hpp"
 #include "instructor_console/pages.hpp"
 #include "recorder/debrief/judgement.hpp"
 #include "recorder/debrief/read_attempt.hpp"
-#include "recorder/debrief/wall_time.hpp"
 #include "station/gateway/roles.hpp"
 #include "station/options.hpp"
 
@@ -159,122 +157,6 @@ void add_options(CLI::App& app, Options& options) {
         "Prints its addresses and the fingerprint of its certificate; at the first start a link with which\n"
         "the first owner is set up. docs/class.md has the rest.\n"
         "Exit codes: 0 stopped by a signal, 1 it cannot serve, and the text says why, 2 bad option.");
-}
-
-/// By which somebody is known in the history: the name that they gave, which has no comma and no @ there.
-std::string pseudonym_of(std::string name) {
-    std::ranges::replace_if(
-        name, [](char c) { return c == ',' || c == '@'; }, ' ');
-    return name;
-}
-
-/// Files of lessons, as a class is opened with them, by the lessons' ids.
-std::map<std::string, std::string> files_of_lessons(const nlohmann::json& list) {
-    std::map<std::string, std::string> files;
-    for (const auto& file : list.at("files"))
-        if (file.at("lesson").is_string()) files.emplace(file.at("lesson"), file.at("name"));
-    return files;
-}
-
-/// From when that attempt is done again; null: it went wrong at no moment, or its recording is here no more.
-nlohmann::json again_from(const Options& options, const fs::path& recording) {
-    const fs::path folder = options.recordings / recording.filename();
-    if (recording.empty() || !fs::exists(folder)) return nullptr;
-    try {
-        recording::Recording read({folder});
-        const debrief::Attempt attempt = debrief::read_attempt(read);
-        const auto again = door::again_of(attempt);
-        if (!again) return nullptr;
-        return {{"recording", recording.filename()},
-                {"position", attempt.position_of(again->from)},
-                {"time", again->from},
-                {"before", door::name_of(again->before)},
-                {"lost", again->lost},
-                {"lost_at", again->lost_at}};
-    } catch (const std::exception&) { // a part of it cannot be read
-        return nullptr;
-    }
-}
-
-/// What each is to practise next; "file" is the lesson's, as a class is opened with it.
-nlohmann::json next_of(const Options& options, const std::map<std::string, std::string>& files,
-                       const std::vector<std::string>& names) {
-    history::History history(options.history);
-    const std::vector<history::Offered> offered = console::offered_lessons(options.exercises);
-    nlohmann::json all = nlohmann::json::array();
-    for (const std::string& name : names)
-        try {
-            if (const auto next = history.next(pseudonym_of(name), offered))
-                all.push_back(
-                    {{"name", name},
-                     {"file", files.at(next->lesson.id)},
-                     {"title", next->lesson.title},
-                     {"why", next->why},
-                     {"practice", next->practice},
-                     {"from", next->practice ? again_from(options, next->recording) : nlohmann::json()}});
-        } catch (const std::invalid_argument&) { // he is in no history: his seat was not recorded
-        }
-    return all;
-}
-
-void put_in_history(const Options& options, const door::AttemptMade& made) {
-    recording::Recording recording({options.recordings / made.recording});
-    std::vector<history::Seated> seats;
-    for (const door::Part& each : made.parts)
-        seats.push_back({.pseudonym = pseudonym_of(each.name),
-                         .name = each.name,
-                         .group = made.class_id,
-                         .seat = door::name_of(each.place),
-                         .part = each.judged ? door::part_words(each) : history::kNotJudged});
-    const bool replace = true; // a seat that was another's before the last word of the class
-    history::History(options.history)
-        .add(debrief::read_attempt(recording), seats, options.recordings / made.recording, replace);
-}
-
-/// The attempts that recordings of ours have in the history, by the recordings' names.
-std::map<std::string, history::Listed> attempts_of(const Options& options, history::History& history) {
-    const fs::path ours = fs::absolute(options.recordings).lexically_normal();
-    std::map<std::string, history::Listed> found;
-    for (history::Listed& each : history.list()) {
-        const fs::path recording = each.recording;
-        if (recording == (ours / recording.filename()).lexically_normal())
-            found[recording.filename()] = std::move(each);
-    }
-    return found;
-}
-
-std::string judge(const Options& options, const door::AttemptJudged& judged) {
-    history::History history(options.history);
-    const auto all = attempts_of(options, history);
-    const auto attempt = all.find(judged.recording);
-    if (attempt == all.end()) return "the history has no attempt of that recording";
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    try {
-        history.confirm(
-            attempt->second.attempt,
-            {.by = judged.by, .score = judged.points, .outcome = judged.outcome, .note = judged.note},
-            debrief::iso_time(std::chrono::nanoseconds(now).count()));
-        return "";
-    } catch (const std::invalid_argument& why) {
-        return why.what();
-    }
-}
-
-nlohmann::json words_on(const Options& options, const std::vector<std::string>& recordings) {
-    history::History history(options.history);
-    const auto attempts = attempts_of(options, history);
-    nlohmann::json all = nlohmann::json::array();
-    for (const std::string& recording : recordings)
-        if (const auto its = attempts.find(recording);
-            its != attempts.end() && !its->second.confirmed_by.empty()) {
-            const auto& tenths = its->second.score;
-            all.push_back(
-                {{"recording", recording},
-                 {"points", tenths ? nlohmann::json(static_cast<double>(*tenths) / 10) : nlohmann::json()},
-                 {"outcome", its->second.outcome},
-                 {"by", its->second.confirmed_by}});
-        }
-    return all;
 }
 
 /// What its recording says of an attempt, for a learning system.
@@ -427,6 +309,7 @@ int run(Options options) {
     const auto lessons = [exercise_files] {
         return exercise_files({{"what", "list"}, {"name", ""}, {"text", ""}, {"over", ""}});
     };
+    const door::ClassHistory history(options.history, options.recordings, options.exercises);
     door::Stations stations(std::move(instructor));
     door::DoorHost host(
         {.state = options.state,
@@ -460,14 +343,11 @@ int run(Options options) {
              },
          .what_if = [what_if_of, recordings = options.recordings](
                         const std::string& recording) { return what_if_of(recordings / recording); },
-         .put_in_history = [options](const door::AttemptMade& made) { put_in_history(options, made); },
-         .next =
-             [options, lessons](const std::vector<std::string>& names) {
-                 return next_of(options, files_of_lessons(lessons()), names);
-             },
-         .judge = [options](const door::AttemptJudged& judged) { return judge(options, judged); },
-         .words =
-             [options](const std::vector<std::string>& recordings) { return words_on(options, recordings); },
+         .put_in_history = [history](const door::AttemptMade& made) { history.put(made); },
+         .next = [history,
+                  lessons](const std::vector<std::string>& names) { return history.next(names, lessons()); },
+         .judge = [history](const door::AttemptJudged& judged) { return history.judge(judged); },
+         .words = [history](const std::vector<std::string>& recordings) { return history.words(recordings); },
          .learning_systems = cmi5::LearningSystems(options.learning_systems),
          .web = cmi5::WebClient(options.learning_authority),
          .marks_of = [recordings = options.recordings](

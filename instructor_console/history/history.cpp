@@ -54,26 +54,20 @@ std::string in_words(std::string outcome) {
     return outcome.empty() ? "no outcome" : outcome;
 }
 
-/// What stands of an attempt: an assessor's word until he says another, else what was computed.
-struct Standing {
-    std::optional<std::int64_t> tenths, pass; ///< pass: points of 100
-    std::string outcome;
-};
-
 /// The outcome of a score that an assessor has given without one: by the lesson's pass and by what was
 /// computed, and not by the outcome of a score before it.
-std::string outcome_of(double score, const Standing& computed) {
-    if (computed.outcome.empty()) return ""; // nothing was assessed
+std::string outcome_of(double score, std::optional<std::int64_t> pass, const std::string& computed) {
+    if (computed.empty()) return ""; // nothing was assessed
     const std::string say = "; say --outcome achieved, not_yet or not_shown beside --score";
-    if (!computed.pass)
+    if (!pass)
         throw std::invalid_argument("this history does not know the lesson's pass" + say +
                                     ", or put the recording in again");
-    if (score < static_cast<double>(*computed.pass)) return "not_yet";
-    if (computed.outcome == "achieved") return "achieved";
+    if (score < static_cast<double>(*pass)) return "not_yet";
+    if (computed == "achieved") return "achieved";
     throw std::invalid_argument(
         fmt::format("{:g} points reach the lesson's pass of {}, and {} was computed: points, a must or an "
                     "objective are missed, and a score does not say whether that still stands{}",
-                    score, *computed.pass, in_words(computed.outcome), say));
+                    score, *pass, in_words(computed), say));
 }
 
 } // namespace
@@ -98,14 +92,13 @@ std::string History::confirm(const std::string& beginning, const Word& word, con
             throw std::invalid_argument("attempt " + id.substr(0, 8) +
                                         " is for practice, and shows no competence; have the lesson done "
                                         "without hints, and confirm that");
-        const Standing stood{integer_of(row[0]), integer_of(row[1]), text_of(row[4])};
-        const Standing computed{{}, stood.pass, text_of(row[2])};
+        const auto pass = integer_of(row[1]);
         const auto tenths =
-            word.score ? std::optional<std::int64_t>(std::llround(*word.score * 10)) : stood.tenths;
+            word.score ? std::optional<std::int64_t>(std::llround(*word.score * 10)) : integer_of(row[0]);
         const bool follows = word.outcome.empty() && word.score;
         const std::string outcome = !word.outcome.empty() ? word.outcome
-                                    : word.score          ? outcome_of(*word.score, computed)
-                                                          : stood.outcome;
+                                    : word.score          ? outcome_of(*word.score, pass, text_of(row[2]))
+                                                          : text_of(row[4]); // as it stood
         database_.run("UPDATE attempt SET score_final = ?, outcome_final = ?, confirmed_by = ?, "
                       "confirmed_at = ? WHERE id = ?",
                       {or_null(tenths), or_null(outcome), word.by, now, id});
@@ -117,7 +110,7 @@ std::string History::confirm(const std::string& beginning, const Word& word, con
                              tenths ? fmt::format("{:.1f} points", static_cast<double>(*tenths) / 10)
                                     : std::string("no points"),
                              in_words(outcome));
-        if (follows && stood.pass) stands += fmt::format(", by the lesson's pass of {}", *stood.pass);
+        if (follows && pass) stands += fmt::format(", by the lesson's pass of {}", *pass);
     });
     return stands;
 }

@@ -1,6 +1,7 @@
 // Summary, result, key moments.
 
 #include "common/figure_text.hpp"
+#include "recorder/debrief/again.hpp"
 #include "recorder/debrief/compare.hpp"
 #include "recorder/debrief/html.hpp"
 #include "recorder/debrief/judgement.hpp"
@@ -79,13 +80,12 @@ std::string objectives(const Attempt& attempt) {
 
 /// What would have kept it, and whence to do it again.
 std::string remedy(const PageContext& page, const std::string& criterion) {
-    constexpr double kBefore = 10; // s, to have a hand on the lever by then
     for (const Remedy& each : *page.options.remedies) {
         if (each.criterion != criterion) continue;
         std::string html = escaped(each.words);
         if (each.time)
             html += fmt::format(" Do it again from {}.",
-                                time_link(page, std::max(page.attempt.began, *each.time - kBefore)));
+                                time_link(page, std::max(page.attempt.began, *each.time - kAgainBefore)));
         return html;
     }
     return {};

@@ -1,17 +1,15 @@
-#include "door/again.hpp"
+#include "recorder/debrief/again.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 
-namespace windlass::door {
+namespace windlass::debrief {
 
-using debrief::Attempt;
 using nlohmann::json;
 
 namespace {
 
-constexpr double kBefore = 10;      // s, to have a hand on the lever by then
 constexpr double kDeedWithin = 120; // s before the loss: what was done earlier is not what lost it
 constexpr double kRest = 2;         // s: a hand that goes on sooner is still at it
 
@@ -51,7 +49,7 @@ std::optional<double> order_before(const Attempt& attempt, double loss) {
     for (auto each = attempt.orders.rbegin(); each != attempt.orders.rend(); ++each) {
         const BridgeOrder& order = each->order;
         const bool to_do = order.repeat_by() > order.time() && order.code() != BRIDGE_ORDER_TEXT &&
-                           order.code() != BRIDGE_ORDER_CANCEL;
+                           order.code() != BRIDGE_ORDER_CANCEL && order.state() != ORDER_CANCELLED;
         if (!to_do || order.time() > loss) continue;
         if (last != nullptr &&
             (order.code() != last->code() || order.side() != last->side() || order.value() != last->value()))
@@ -77,7 +75,7 @@ Before or_loss(AgainBefore what, std::optional<double> time, double loss) {
     return time ? Before{what, *time} : Before{AgainBefore::loss, loss};
 }
 
-Before before_what(const Attempt& attempt, const debrief::Mark& mark) {
+Before before_what(const Attempt& attempt, const Mark& mark) {
     const Criterion& lost = *mark.criterion;
     const json lesson = lesson_of(attempt);
     const auto order = [&] {
@@ -114,13 +112,13 @@ Before before_what(const Attempt& attempt, const debrief::Mark& mark) {
 } // namespace
 
 std::optional<Again> again_of(const Attempt& attempt) {
-    const auto lost = debrief::went_wrong(attempt, debrief::judgement_of(attempt));
+    const auto lost = went_wrong(attempt, judgement_of(attempt));
     if (!lost || lost->time <= attempt.began) return std::nullopt;
     const Before before = before_what(attempt, *lost);
-    return Again{.from = std::max(attempt.began, before.time - kBefore),
+    return Again{.from = std::max(attempt.began, before.time - kAgainBefore),
                  .before = before.what,
-                 .lost = debrief::name_of(*lost->criterion),
+                 .lost = name_of(*lost->criterion),
                  .lost_at = lost->time};
 }
 
-} // namespace windlass::door
+} // namespace windlass::debrief

@@ -7,7 +7,9 @@
 #include <optional>
 #include <string>
 
-namespace windlass::door {
+namespace windlass::debrief {
+
+inline constexpr double kAgainBefore = 10; ///< s, to have a hand on the lever by then
 
 /// Before what it begins.
 enum class AgainBefore {
@@ -29,8 +31,8 @@ struct Again {
     double lost_at = 0; ///< s of exercise
 };
 
-/// Of the first must that was missed, without one of the first loss of points (debrief::went_wrong). Nothing:
+/// Of the first must that was missed, without one of the first loss of points (went_wrong()). Nothing:
 /// it went wrong at no moment.
-std::optional<Again> again_of(const debrief::Attempt& attempt);
+std::optional<Again> again_of(const Attempt& attempt);
 
-} // namespace windlass::door
+} // namespace windlass::debrief

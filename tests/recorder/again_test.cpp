@@ -1,12 +1,12 @@
 // From when an attempt that went wrong is done again.
 
-#include "door/again.hpp"
+#include "recorder/debrief/again.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-namespace windlass::door {
+namespace windlass::debrief {
 namespace {
 
 /// An attempt of 400 s whose one must was lost. Ticks are tenths of a second.
@@ -50,7 +50,7 @@ protected:
                      : std::string();
     }
 
-    debrief::Attempt attempt_;
+    Attempt attempt_;
 };
 
 TEST_F(LostAttempt, BeginsBeforeTheHandThatLostIt) {
@@ -79,6 +79,8 @@ TEST_F(LostAttempt, OfStepsThatWereNotTakenBeginsBeforeTheOrderForThem) {
     order(200, BRIDGE_ORDER_SECURE);
     order(220, BRIDGE_ORDER_SECURE); // said again
     order(240, BRIDGE_ORDER_HOW_MUCH);
+    order(250, BRIDGE_ORDER_LET_GO);
+    attempt_.orders.back().order.state(ORDER_CANCELLED);
     moves({210});
     lost(CRITERION_SEQUENCE, 300, 300);
     EXPECT_EQ(begins(), "order 190");
@@ -143,4 +145,4 @@ TEST_F(LostAttempt, ThatWentWrongAtNoMomentIsNotDoneAgain) {
 }
 
 } // namespace
-} // namespace windlass::door
+} // namespace windlass::debrief

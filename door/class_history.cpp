@@ -1,0 +1,135 @@
+#include "door/class_history.hpp"
+
+#include "instructor_console/history/history.hpp"
+#include "instructor_console/lesson_files.hpp"
+#include "recorder/debrief/again.hpp"
+#include "recorder/debrief/read_attempt.hpp"
+#include "recorder/debrief/wall_time.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+namespace windlass::door {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// By which somebody is known in the history: the name that they gave, which has no comma and no @ there.
+std::string pseudonym_of(std::string name) {
+    std::ranges::replace_if(
+        name, [](char c) { return c == ',' || c == '@'; }, ' ');
+    return name;
+}
+
+/// Files of lessons, as a class is opened with them, by the lessons' ids.
+std::map<std::string, std::string> files_of(const json& lessons) {
+    std::map<std::string, std::string> files;
+    for (const auto& file : lessons.at("files"))
+        if (file.at("lesson").is_string()) files.emplace(file.at("lesson"), file.at("name"));
+    return files;
+}
+
+/// The attempts that recordings of that folder have in the history, by the recordings' names.
+std::map<std::string, history::Listed> attempts_of(const fs::path& recordings, history::History& history) {
+    const fs::path ours = fs::absolute(recordings).lexically_normal();
+    std::map<std::string, history::Listed> found;
+    for (history::Listed& each : history.list()) {
+        const fs::path recording = each.recording;
+        if (recording == (ours / recording.filename()).lexically_normal())
+            found[recording.filename()] = std::move(each);
+    }
+    return found;
+}
+
+} // namespace
+
+void ClassHistory::put(const AttemptMade& made) const {
+    const fs::path folder = recordings_ / made.recording;
+    recording::Recording recording({folder});
+    std::vector<history::Seated> seats;
+    for (const Part& each : made.parts)
+        seats.push_back({.pseudonym = pseudonym_of(each.name),
+                         .name = each.name,
+                         .group = made.class_id,
+                         .seat = name_of(each.place),
+                         .part = each.judged ? part_words(each) : history::kNotJudged});
+    const bool replace = true; // a seat that was another's before the last word of the class
+    history::History(history_).add(debrief::read_attempt(recording), seats, folder, replace);
+}
+
+/// null: it went wrong at no moment, or its recording is here no more.
+json ClassHistory::again_from(const fs::path& recording) const {
+    const fs::path folder = recordings_ / recording.filename();
+    if (recording.empty() || !fs::exists(folder)) return nullptr;
+    try {
+        recording::Recording read({folder});
+        const debrief::Attempt attempt = debrief::read_attempt(read);
+        const auto again = debrief::again_of(attempt);
+        if (!again) return nullptr;
+        return {{"recording", recording.filename()},
+                {"position", attempt.position_of(again->from)},
+                {"time", again->from},
+                {"before", debrief::name_of(again->before)},
+                {"lost", again->lost},
+                {"lost_at", again->lost_at}};
+    } catch (const std::exception&) { // a part of it cannot be read
+        return nullptr;
+    }
+}
+
+json ClassHistory::next(const std::vector<std::string>& names, const json& lessons) const {
+    history::History history(history_);
+    const std::vector<history::Offered> offered = console::offered_lessons(exercises_);
+    const auto files = files_of(lessons);
+    json all = json::array();
+    for (const std::string& name : names)
+        try {
+            if (const auto next = history.next(pseudonym_of(name), offered))
+                all.push_back({{"name", name},
+                               {"file", files.at(next->lesson.id)},
+                               {"title", next->lesson.title},
+                               {"why", next->why},
+                               {"practice", next->practice},
+                               {"from", next->practice ? again_from(next->recording) : json()}});
+        } catch (const std::invalid_argument&) { // he is in no history: his seat was not recorded
+        }
+    return all;
+}
+
+std::string ClassHistory::judge(const AttemptJudged& judged) const {
+    history::History history(history_);
+    const auto all = attempts_of(recordings_, history);
+    const auto attempt = all.find(judged.recording);
+    if (attempt == all.end()) return "the history has no attempt of that recording";
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    try {
+        history.confirm(
+            attempt->second.attempt,
+            {.by = judged.by, .score = judged.points, .outcome = judged.outcome, .note = judged.note},
+            debrief::iso_time(std::chrono::nanoseconds(now).count()));
+        return "";
+    } catch (const std::invalid_argument& why) {
+        return why.what();
+    }
+}
+
+json ClassHistory::words(const std::vector<std::string>& recordings) const {
+    history::History history(history_);
+    const auto attempts = attempts_of(recordings_, history);
+    json all = json::array();
+    for (const std::string& recording : recordings) {
+        const auto its = attempts.find(recording);
+        if (its == attempts.end() || its->second.confirmed_by.empty()) continue;
+        const auto& tenths = its->second.score;
+        all.push_back({{"recording", recording},
+                       {"points", tenths ? json(static_cast<double>(*tenths) / 10) : json()},
+                       {"outcome", its->second.outcome},
+                       {"by", its->second.confirmed_by}});
+    }
+    return all;
+}
+
+} // namespace windlass::door
