@@ -505,15 +505,32 @@ std::int64_t gives_up_at(const Lesson& lesson, const State& state, int tick_rate
     return since + std::llround((kMostAsked + 1 - state.asked) * wait * tick_rate);
 }
 
+namespace {
+
+/// Place of the order that it gave up over; -1: it had given none.
+int given_up(const Lesson& lesson, const State& state) {
+    const int open = open_order(lesson, state);
+    return open >= 0 ? open : newest_given(state);
+}
+
+} // namespace
+
+bool was_misunderstood(const Lesson& lesson, const State& state) {
+    const int k = state.gave_up ? given_up(lesson, state) : -1;
+    if (k < 0) return false;
+    const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
+    return course.repeated < 0 && course.wrong_now;
+}
+
 std::string gave_up_words(const Lesson& lesson, const State& state) {
-    const int open = open_order(lesson, state), k = open >= 0 ? open : newest_given(state);
+    const int k = given_up(lesson, state);
     if (k < 0) return "the bridge heard nothing";
     const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;
     const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
     const std::string words = exercise::order_words(given.code, given.side, given.value);
-    const char* what = course.repeated < 0 && course.wrong_now ? "the bridge was repeated wrongly: \""
-                       : course.answered >= 0                  ? "the bridge heard no more after \""
-                                                               : "the bridge had no answer to \"";
+    const char* what = was_misunderstood(lesson, state) ? "the bridge was repeated wrongly: \""
+                       : course.answered >= 0           ? "the bridge heard no more after \""
+                                                        : "the bridge had no answer to \"";
     return what + (words.empty() ? given.text : words) + '"';
 }
 

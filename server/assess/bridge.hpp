@@ -22,6 +22,9 @@ bool speak(const Lesson& lesson, State& state, const exercise::Snapshot& seen, i
 /// it has not had to ask.
 std::int64_t gives_up_at(const Lesson& lesson, const State& state, int tick_rate);
 
+/// Whether it gave up over an order that was repeated back wrongly to the last: it did have an answer.
+bool was_misunderstood(const Lesson& lesson, const State& state);
+
 /// What it waited for in vain when it gave up: "no answer to \"pay out, port, 3 shackles in the pipe\"".
 std::string gave_up_words(const Lesson& lesson, const State& state);
 

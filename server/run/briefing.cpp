@@ -1,6 +1,7 @@
 #include "server/run/briefing.hpp"
 
 #include "common/text.hpp"
+#include "server/assess/bridge.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -56,11 +57,13 @@ void put_to_practice(exercise::ExerciseDef& def) {
     def.lesson = assess::for_practice(def.lesson);
 }
 
-std::string lesson_over_text(const assess::State& state) {
+std::string lesson_over_text(const assess::Lesson& lesson, const assess::State& state) {
     switch (state.ending) {
     case assess::Ending::good:
         return "the lesson is over: it has run its course";
     case assess::Ending::time:
+        if (assess::was_misunderstood(lesson, state))
+            return "the lesson is over: an order was repeated back wrongly to the last";
         return state.gave_up ? "the lesson is over: the bridge had no answer"
                              : "the lesson is over: its time is up";
     case assess::Ending::abort:

@@ -24,6 +24,6 @@ std::array<std::vector<std::string>, 2> own_briefing_pieces(const assess::Lesson
 void put_to_practice(exercise::ExerciseDef& def);
 
 /// That the lesson is over, and why: no mark, and no event that only the instructor knows of.
-std::string lesson_over_text(const assess::State& state);
+std::string lesson_over_text(const assess::Lesson& lesson, const assess::State& state);
 
 } // namespace windlass::run

@@ -65,7 +65,7 @@ void Session::tell_unanswered(int asked_before) {
 void Session::tell_when_the_lesson_is_over() {
     if (!assessor_.ended() || lesson_over_told_) return;
     lesson_over_told_ = true;
-    log("lesson.over", lesson_over_text(assessor_.state()));
+    log("lesson.over", lesson_over_text(*assessor_.lesson(), assessor_.state()));
     tell_aids();
 }
 

@@ -204,6 +204,22 @@ TEST_F(EndOfALesson, IsForetoldToWhoHasTheTruthWhereTheBridgeHasNoAnswer) {
               "the bridge asks again: if it hears nothing it gives up at 24 s, and the lesson ends");
 }
 
+TEST_F(EndOfALesson, OverAnOrderThatWasRepeatedWronglyIsNoWantOfAnAnswer) {
+    exercise::ExerciseDef misheard;
+    misheard.lesson = R"({"id": "T", "patience": 60, "orders": [
+        {"id": "o", "code": "stand_by", "repeat": 1, "when": {"time": 0.1}}],
+      "criteria": [{"id": "c", "kind": "order", "orders": ["o"]}], "end": {"good": {"answered": "o"}}})";
+    Session session(misheard, options());
+    for (int repeats = 0; repeats < 30 && count(session, "lesson.over") == 0; ++repeats) {
+        run(session, 4 * misheard.tick_rate_hz);
+        give(session, exercise::Order{exercise::ReportMade{.code = exercise::ReportCode::order_repeated,
+                                                           .order_number = count(session, "order.given"),
+                                                           .order_code = exercise::BridgeOrderCode::let_go}});
+    }
+    EXPECT_EQ(text_of(session, "lesson.over"),
+              "the lesson is over: an order was repeated back wrongly to the last");
+}
+
 TEST_F(EndOfALesson, IsToldWhenAnAssessorEndsItOrTheExerciseIsEnded) {
     Session confirmed(def(), options());
     give(confirmed, exercise::Order{exercise::AssessorsWord{
