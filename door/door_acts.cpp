@@ -69,6 +69,25 @@ std::optional<Moment> moment_in(const json& asked) {
     return Moment{.recording = text_of(*from, "recording"), .position = position};
 }
 
+json words_told(const std::vector<AttemptJudged>& words) {
+    json all = json::array();
+    for (const AttemptJudged& each : words)
+        all.push_back({{"recording", each.recording},
+                       {"points", each.points ? json(*each.points) : json()},
+                       {"outcome", each.outcome},
+                       {"by", each.by},
+                       {"note", each.note}});
+    return all;
+}
+
+/// The recordings of a class's attempts.
+std::vector<std::string> recordings_of(const TrainingClass& of) {
+    std::vector<std::string> recordings;
+    for (const auto& [exercise, result] : of.results)
+        if (!result.recording.empty()) recordings.push_back(result.recording);
+    return recordings;
+}
+
 } // namespace
 
 void DoorHost::ask(const std::string& target, const Who& who, const Reply& reply) {
@@ -81,7 +100,7 @@ void DoorHost::ask(const std::string& target, const Who& who, const Reply& reply
     if (path == "/door/lessons" && options_.lessons)
         return slow_.add<json>(
             options_.lessons, [](const json& list) { return answer(list); }, reply);
-    if (path == "/door/marks.csv") return reply(marks(value_in(target, "class")));
+    if (path == "/door/marks.csv") return marks(value_in(target, "class"), reply);
     if (path == "/door/side_by_side" && options_.side_by_side)
         return lay_side_by_side(value_in(target, "class"), reply);
     if (path == "/door/next" && options_.next) return next(value_in(target, "class"), reply);
@@ -90,13 +109,20 @@ void DoorHost::ask(const std::string& target, const Who& who, const Reply& reply
     reply(refused(404, "nobody answers that here"));
 }
 
-Verdict DoorHost::marks(const std::string& id) const {
+void DoorHost::marks(const std::string& id, const Reply& reply) {
     const auto* its_class = book_.find(id);
-    if (its_class == nullptr) return refused(404, "there is no such class");
-    return {.kind = Verdict::Kind::answer,
-            .type = "text/csv; charset=utf-8",
-            .body = marks_csv(*its_class),
-            .headers = {{"Content-Disposition", "attachment; filename=\"" + id + ".csv\""}}};
+    if (its_class == nullptr) return reply(refused(404, "there is no such class"));
+    slow_.add<std::string>(
+        [of = *its_class, words = options_.words] {
+            return marks_csv(of, words ? words(recordings_of(of)) : std::vector<AttemptJudged>());
+        },
+        [id](std::string table) {
+            return Verdict{.kind = Verdict::Kind::answer,
+                           .type = "text/csv; charset=utf-8",
+                           .body = std::move(table),
+                           .headers = {{"Content-Disposition", "attachment; filename=\"" + id + ".csv\""}}};
+        },
+        reply);
 }
 
 /// Of who sat in a class that is over, and what assessors have said of it. Waits, and says so, until all
@@ -113,12 +139,10 @@ void DoorHost::next(const std::string& id, const Reply& reply) {
         for (const Part& each : its_class->parts(exercise))
             all.insert(each.name);
     const std::vector<std::string> names(all.begin(), all.end());
-    std::vector<std::string> recordings;
-    for (const auto& [exercise, result] : its_class->results)
-        if (!result.recording.empty()) recordings.push_back(result.recording);
     slow_.add<json>(
-        [ask = options_.next, words = options_.words, names, recordings] {
-            return json{{"next", ask(names)}, {"words", words ? words(recordings) : json::array()}};
+        [ask = options_.next, words = options_.words, names, recordings = recordings_of(*its_class)] {
+            return json{{"next", ask(names)},
+                        {"words", words ? words_told(words(recordings)) : json::array()}};
         },
         [](const json& found) {
             return answer({{"waits", false}, {"next", found["next"]}, {"words", found["words"]}});
@@ -149,7 +173,7 @@ void DoorHost::take_word(const Who& who, const json& asked, const Reply& reply) 
     slow_.add<json>(
         [judge = options_.judge, words = options_.words, judged] {
             const std::string why = judge(judged);
-            return why.empty() ? json{{"words", words({judged.recording})}} : json{{"why", why}};
+            return why.empty() ? json{{"words", words_told(words({judged.recording}))}} : json{{"why", why}};
         },
         [this, judged](const json& found) {
             if (const auto why = found.find("why"); why != found.end())
@@ -162,13 +186,6 @@ void DoorHost::take_word(const Who& who, const json& asked, const Reply& reply) 
             return answer(found);
         },
         reply);
-}
-
-bool DoorHost::made_by_a_class(const std::string& recording) const {
-    return !recording.empty() && std::ranges::any_of(book_.classes(), [&](const TrainingClass& each) {
-        return std::ranges::any_of(each.results,
-                                   [&](const auto& one) { return one.second.recording == recording; });
-    });
 }
 
 namespace {
@@ -191,6 +208,14 @@ std::string who_sat(const TrainingClass& of, const std::string& exercise) {
 
 } // namespace
 
+/// Who sat where a class made it; nothing: none did.
+std::optional<std::string> DoorHost::who_made(const std::string& recording) const {
+    for (const TrainingClass& each : book_.classes())
+        for (const auto& [exercise, result] : each.results)
+            if (!recording.empty() && result.recording == recording) return who_sat(each, exercise);
+    return std::nullopt;
+}
+
 /// Of a class that is over: of the exercises that were recorded, and that somebody sat in.
 void DoorHost::lay_side_by_side(const std::string& id, const Reply& reply) {
     const auto* its_class = book_.find(id);
@@ -210,11 +235,12 @@ void DoorHost::lay_side_by_side(const std::string& id, const Reply& reply) {
 
 /// Of a recording that a class has made, and no other.
 void DoorHost::debrief(const std::string& recording, bool what_if, const Reply& reply) {
-    if (!made_by_a_class(recording)) return reply(refused(404, "no class has such a recording"));
+    const auto who = who_made(recording);
+    if (!who) return reply(refused(404, "no class has such a recording"));
     if (what_if) return reply(as_page(options_.what_if(recording)));
-    slow_.add<std::string>(
-        [make = options_.debriefing, recording] { return make(recording, "what_if?recording=" + recording); },
-        as_page, reply);
+    slow_.add<std::string>([make = options_.debriefing, recording,
+                            who = *who] { return make(recording, who, "what_if?recording=" + recording); },
+                           as_page, reply);
 }
 
 void DoorHost::act(const std::string& path, const std::string& body, const Who& who, const Reply& reply) {
@@ -393,8 +419,7 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
         if (!practice_asked.is_boolean()) throw Denied(400, "practice: true or false");
         const bool practice = practice_asked;
         const auto from = moment_in(asked);
-        if (from && !made_by_a_class(from->recording))
-            throw Denied(404, "from: no class has such a recording");
+        if (from && !who_made(from->recording)) throw Denied(404, "from: no class has such a recording");
         auto names = names_in(asked);
         for (const std::string& name : names)
             if (people_.find(name) != nullptr) throw Denied(409, "names: an instructor is called " + name);
@@ -530,13 +555,21 @@ json DoorHost::class_told(const TrainingClass& told) {
     for (const std::string& exercise : told.exercises) {
         json seats = json::array();
         for (const Place place : places_of(told.crew)) {
-            json seat{{"place", name_of(place)}, {"name", nullptr}, {"here", false}, {"silent", nullptr}};
+            json seat{{"place", name_of(place)},
+                      {"name", nullptr},
+                      {"here", false},
+                      {"silent", nullptr},
+                      {"acted", false}};
             for (const Trainee& one : told.trainees)
                 if (one.exercise == exercise && one.place == place) {
                     seat["name"] = one.name;
                     seat["here"] = !links(one.key).empty();
                     if (const auto silent = silence_of(one.key)) // while it stands nobody has anything to do
                         seat["silent"] = std::floor(std::min(*silent, runs_.ran_for(exercise, Clock::now())));
+                    seat["acted"] = std::ranges::any_of(links(one.key), [](const Link& each) {
+                        const auto page = each.session.lock();
+                        return page && page->has_acted();
+                    });
                 }
             seats.push_back(std::move(seat));
         }

@@ -22,7 +22,8 @@ public:
     const ExerciseDesk& desk() const { return *desk_; }
     const std::string& name() const { return name_; }
     /// When its hand last did something: gave an order or a report, or moved a lever; at first, when it came.
-    Clock::time_point acted() const { return acted_; }
+    Clock::time_point acted() const { return acted_.value_or(opened_); }
+    bool has_acted() const { return acted_.has_value(); }
 
     /// Says hello again when it has changed.
     void tell_hello(const nlohmann::json& hello);
@@ -58,7 +59,8 @@ private:
     const std::string name_;
     nlohmann::json hello_, alerts_;
     std::array<nlohmann::json, 3> set_; // levers as this page had them last, by Hand
-    Clock::time_point acted_ = Clock::now();
+    Clock::time_point opened_ = Clock::now();
+    std::optional<Clock::time_point> acted_;
     bool watches_classroom_ = false;
     bool open_ = true;
 };

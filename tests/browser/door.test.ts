@@ -100,8 +100,8 @@ test("trainees join by it, on a phone and a tablet, and are seen where they sit"
   tablet = await takeSeat("carla", { width: 1024, height: 768 });
   assert.match(tablet.url(), /\/bridge$/);
   await eventually(
-    "both are at work",
-    async () => (await owner.locator(".seat-button .here").allTextContents()).join() === "at work,at work",
+    "both are at the page",
+    async () => (await owner.locator(".seat-button .here").allTextContents()).join() === "at the page,at the page",
   );
   const id = await firstExercise();
   assert.match(await seat(id, "forecastle").textContent(), /ben/);
@@ -179,7 +179,7 @@ test("the page of the class has a small picture of each forecastle", async () =>
   await owner.getByRole("button", { name: "CCTV off" }).click();
 });
 
-test("of a lesson that is over the class says so, and who has the marks there is not at work", async () => {
+test("of a lesson that is over the class says so, and who has the marks there is not counted", async () => {
   const second = owner.locator("[data-exercise]").nth(1);
   const its = new Rig(await second.getAttribute("data-exercise"));
   await its.say("stop", "--timeout", "20");
@@ -188,8 +188,8 @@ test("of a lesson that is over the class says so, and who has the marks there is
     /^lesson over, \d+ points, not shown/.test(await second.locator(".state").textContent()),
   );
   await eventually("she is there", async () => (await second.locator(".here").textContent()) === "here");
-  await eventually("two are at work", async () =>
-    /3 of 4 seats taken, 2 at work/.test(await owner.locator(".bar .said").textContent()),
+  await eventually("two are at the page", async () =>
+    /3 of 4 seats taken, 2 at the page/.test(await owner.locator(".bar .said").textContent()),
   );
   await look(owner, "class_lesson_over");
   hadNoProblems(late);

@@ -63,7 +63,7 @@ test("a trainee joins by its code, sits on the forecastle, and sees it drawn or 
   await deck.locator("input[name=name]").fill("ben");
   await on(deck, "Take a seat").click();
   await deck.waitForURL(/\/forecastle$/);
-  await eventually("the instructor sees it", async () => /ben.*at work/s.test(await row()));
+  await eventually("the instructor sees it", async () => /ben.*at the page/s.test(await row()));
   await deck.getByRole("dialog", { name: "briefing" }).getByRole("button").last().click();
   // By software Firefox has no WebGL 2 without a display; a page without it says so and works on.
   await eventually(

@@ -89,6 +89,7 @@ export interface Word {
   points: number | null;
   outcome: string;
   by: string;
+  note: string;
 }
 
 export interface Words {
@@ -116,6 +117,8 @@ export interface Seat {
   here: boolean;
   /** s for which its hand has done nothing; null: nobody is here. */
   silent: number | null;
+  /** Something was done since the page was opened. */
+  acted: boolean;
 }
 
 /** Whose work an exercise was, of one seat of it. */

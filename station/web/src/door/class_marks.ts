@@ -94,11 +94,11 @@ export function together(all: Next[]): Next[][] {
   return [...groups].sort(([a], [b]) => a.localeCompare(b)).map(([, group]) => group);
 }
 
-/** "bo: 80 points, achieved". */
-export function wordSaid({ by, points, outcome }: Word): string {
+/** "bo: 80 points, achieved. The load cell had failed". */
+export function wordSaid({ by, points, outcome, note }: Word): string {
   const said = outcomeSaid(outcome);
   const marks = points === null ? said : t("{points} points, {outcome}", { points: points.toFixed(0), outcome: said });
-  return `${by}: ${marks}`;
+  return [`${by}: ${marks}`, capital(note)].filter(Boolean).join(". ");
 }
 
 const kNoteMin = 10; // characters, as the history asks for

@@ -27,6 +27,7 @@ import { frame } from "./frame";
 import { kiosks } from "./kiosks";
 import { type NewClass, newClass } from "./new_class";
 import { qr } from "./qr";
+import { doing, isOver, standing } from "./seat_work";
 import { toAll } from "./to_all";
 import { t, translated } from "../kit/language";
 
@@ -339,25 +340,7 @@ class ClassPage {
   }
 }
 
-const kSilent = 60; // s, from which it is told for how long a hand has done nothing
-const kSilentStep = 10; // s, in which it is told
-
 const isManned = ({ seats }: ClassExercise): boolean => seats.some(({ name }) => name !== null);
-
-/** Its lesson is over: the ship may sail on, and nobody is marked for it any more. */
-const isOver = ({ state, outcome }: ClassExercise): boolean =>
-  state === RunState.RUN_FINISHED || (outcome !== "" && state !== RunState.RUN_READY);
-
-/** How many there are. */
-function standing({ exercises }: TrainingClass): string {
-  const seats = exercises.flatMap((each) => each.seats);
-  const here = exercises.filter((each) => !isOver(each)).flatMap((each) => each.seats.filter((seat) => seat.here));
-  return t("{taken} of {seats} seats taken, {here} at work", {
-    taken: seats.filter(({ name }) => name !== null).length,
-    seats: seats.length,
-    here: here.length,
-  });
-}
 
 /** Once some have been started: which have not, a line each for those without and with somebody. */
 function waiting({ exercises }: TrainingClass): string[] {
@@ -380,16 +363,6 @@ const relieved = (part: Part): string => [part.name, placeWords[part.place], par
 /** "Load cell dead in 12 exercises". */
 const inAll = (what: string, count: number): string =>
   count === 1 ? t("{what} in 1 exercise", { what }) : t("{what} in {count} exercises", { what, count });
-
-/** What is known of who sits there; of who only watches, no more than that. */
-function doing(each: ClassExercise, { place, here, silent }: Seat): string {
-  const { state, heard } = each;
-  if (!here) return t("away");
-  if (isOver(each)) return t("here|seat");
-  if (!heard || state !== RunState.RUN_RUNNING || place === "watch" || silent === null || silent < kSilent)
-    return t("at work");
-  return t("silent {time}", { time: clock(kSilentStep * Math.floor(silent / kSilentStep)) });
-}
 
 /** "no answer to the bridge: at 1:03 it gives up, and the lesson ends"; empty: it has not had to ask. */
 export function endsBySilence(each: ClassExercise): string {

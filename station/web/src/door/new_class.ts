@@ -15,6 +15,15 @@ const crews: [number, string][] = [
   [3, t("three: and one who watches")],
 ];
 
+/**
+ * The crew that suits a lesson: as few as can play it. One that the person has chosen since the form was opened stays,
+ * where that lesson can be played by so many; where it cannot, it comes back with the next lesson that can.
+ */
+export function crewFor(bridgeJudged: boolean, chosen?: number): number {
+  const least = bridgeJudged ? 2 : 1; // a lesson whose bridge is judged is none for one alone
+  return chosen !== undefined && chosen >= least ? chosen : least;
+}
+
 export interface NewClass {
   /** The form, with a name that is free. */
   shown(): HTMLElement;
@@ -39,12 +48,15 @@ export function newClass(
   const list = h("input", { type: "file", accept: ".csv,.txt,text/csv,text/plain" });
   let fixed: string[] = []; // who goes on from another class
   let from: Again | undefined; // its exercises begin there; nothing: anew
+  let chosenCrew: number | undefined; // by the person, since the form was opened
   const whose = h("p", { class: "quiet" });
   const anybody = (): void => {
     fixed = [];
     from = undefined;
+    chosenCrew = undefined;
     lesson.disabled = practice.disabled = crew.disabled = false;
     setText(whose, "");
+    void suit();
   };
   const names = async (): Promise<string[]> => {
     const given = await list.files?.[0]?.text();
@@ -54,16 +66,23 @@ export function newClass(
     const seats = Math.ceil((await names()).length / Number(crew.value));
     if (seats > 0) count.value = `${Math.min(64, seats)}`;
   };
-  list.onchange = crew.onchange = () => void enough();
-  /** A lesson whose bridge is judged is none for one alone. */
-  const forCrew = (files: Lessons["files"]): void => {
-    const two = files.some((file) => file.name === lesson.value && file.bridge_judged);
-    for (const option of crew.options) option.disabled = two && option.value === "1";
-    if (!two || crew.value !== "1") return;
-    crew.value = "2";
+  list.onchange = () => void enough();
+  crew.onchange = () => {
+    chosenCrew = Number(crew.value);
     void enough();
   };
-  lesson.onchange = () => void lessons.then(({ files }) => forCrew(files));
+  const suit = async (): Promise<void> => {
+    await listed;
+    const { files } = await lessons;
+    if (from) return; // as many as there were
+    const judged = files.some((file) => file.name === lesson.value && file.bridge_judged);
+    for (const option of crew.options) option.disabled = Number(option.value) < crewFor(judged);
+    const suits = `${crewFor(judged, chosenCrew)}`;
+    if (crew.value === suits) return;
+    crew.value = suits;
+    void enough();
+  };
+  lesson.onchange = () => void suit();
   const listed = lessons.then(({ files }) =>
     lesson.append(
       ...files
@@ -74,7 +93,7 @@ export function newClass(
   const choose = async (file?: string): Promise<void> => {
     await listed;
     lesson.value = file ?? lesson.value;
-    forCrew((await lessons).files);
+    await suit();
   };
   const fill = (group: Next[], moment?: Again): void => {
     anybody();
@@ -101,6 +120,7 @@ export function newClass(
     void enough();
     void choose(group[0]?.file);
   };
+  void suit();
   const element = h(
     "div",
     { class: "narrow" },

@@ -7,7 +7,7 @@ import { type ExerciseStatus, RunState } from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import { type OwnSeat, onInstruction } from "./instructions";
-import type { OwnMarks } from "./own_marks";
+import { type OwnMarks, judgedBy } from "./own_marks";
 import { clock, measures } from "./units";
 import { capital } from "./words";
 import { t, translated } from "./language";
@@ -102,6 +102,7 @@ export class Briefing {
 
   private take(pieces: string[]): void {
     this.pieces = pieces;
+    this.marks.judge(judgedBy(pieces.join(" ")));
     this.show();
   }
 

@@ -12,6 +12,7 @@ import {
 } from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
+import type { OwnSeat } from "./instructions";
 import { written } from "./orders";
 import { clock, measures } from "./units";
 import { capital, outcomeSaid, reportRows, saidOf, stateSaid } from "./words";
@@ -66,6 +67,30 @@ export function practiceSaid({ hints }: Pick<Assessment, "hints">): string {
   return t("For practice, {count} hints", { count: hints.length });
 }
 
+/**
+ * The seat that the lesson judges, by what the server says behind each briefing (server/run/briefing.cpp): nothing else
+ * that a seat hears tells it. undefined: it is not heard.
+ */
+export function judgedBy(briefing: string): OwnSeat | undefined {
+  if (/The bridge's orders come from its own seat\./.test(briefing)) return "bridge";
+  return /The bridge's orders come by themselves\./.test(briefing) ? "forecastle" : undefined;
+}
+
+/** Whose marks they are, told to a seat that is not the judged one; undefined: they are its own, or nobody knows. */
+export function whose(judged: OwnSeat | undefined, seat: Seat | undefined): { marks: string; why: string } | undefined {
+  const own: Seat = judged === "bridge" ? "conning" : "forecastle";
+  if (!judged || !seat || seat === own || seat === "trainee") return undefined; // a trainee has both seats
+  if (judged === "bridge")
+    return {
+      marks: t("The bridge's marks"),
+      why: seat === "forecastle" ? t("This lesson judges the bridge; the forecastle has no marks of it.") : "",
+    };
+  return {
+    marks: t("The forecastle's marks"),
+    why: seat === "conning" ? t("This lesson judges the work on the forecastle; the bridge shares its marks.") : "",
+  };
+}
+
 export class OwnMarks {
   /** Opens it; hidden until there are marks. */
   readonly button: HTMLButtonElement;
@@ -86,6 +111,7 @@ export class OwnMarks {
     h("a", { class: "plain", href: "/" }, t("Leave the seat")),
   );
   private shown: Assessment | undefined;
+  private judged: OwnSeat | undefined;
   private readonly listeners = new Set<(told: boolean) => void>();
 
   constructor(private readonly link: Connection) {
@@ -116,6 +142,12 @@ export class OwnMarks {
   /** Calls back when marks are told, and when they are taken back. */
   onTold(listener: (told: boolean) => void): void {
     this.listeners.add(listener);
+  }
+
+  /** judged: by the lesson; undefined: it is not known. */
+  judge(judged: OwnSeat | undefined): void {
+    this.judged = judged;
+    if (this.shown) this.fill(this.shown);
   }
 
   private tell(assessment: Assessment): void {
@@ -156,9 +188,11 @@ export class OwnMarks {
     const { did, kept } = wentWell(assessment.criteria);
     const never = assessment.criteria.filter((criterion) => neverCame(criterion) && !criterion.counts);
     const neverAs = [...new Set(never.map(stateSaid))];
-    setText(this.head, headline(assessment));
+    const others = whose(this.judged, this.link.hello?.seat);
+    setText(this.head, others ? `${others.marks}. ${headline(assessment)}` : headline(assessment));
     const { hints } = assessment;
     const parts = [
+      others?.why && h("p", {}, others.why),
       assessment.practice &&
         h("p", { class: "practice" }, t("{practice}: no test.", { practice: practiceSaid(assessment) })),
       assessment.abort &&
@@ -172,8 +206,8 @@ export class OwnMarks {
       reckoning(assessment),
       section(t("To work on next time"), wrong.slice(0, kToWorkOn).map(criterionRow)),
       section(t("Also missed"), wrong.slice(kToWorkOn).map(criterionRow)),
-      section(t("What you did"), did.map(criterionRow)),
-      section(t("What you kept"), kept.map(criterionRow)),
+      section(others ? t("What was done") : t("What you did"), did.map(criterionRow)),
+      section(others ? t("What was kept") : t("What you kept"), kept.map(criterionRow)),
       ...neverAs.map((said) =>
         section(
           capital(said),
@@ -259,7 +293,7 @@ function reckoning({ criteria, objectives, abort }: Assessment): HTMLElement | f
   const rules = [
     kept.length > 0 &&
       missed.length > 0 &&
-      t("What you kept counts in the measure in which the rest was done, and the points in play make up 100."),
+      t("What was kept counts in the measure in which the rest was done, and the points in play make up 100."),
     (abort !== "" || missed.some(({ must }) => must) || objectives.some(({ outcome }) => outcome !== "achieved")) &&
       t("A must or an objective that was missed, or a bridge that had no answer, halves the whole, once."),
   ].filter((rule) => rule !== false);

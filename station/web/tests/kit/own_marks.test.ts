@@ -1,8 +1,11 @@
 // What a trainee is told to work on, in which order, and in which words.
 
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { join } from "node:path";
 import { test } from "node:test";
-import { delayWords, headline, orderDone, toWorkOn, wentWell } from "../../src/kit/own_marks";
+import { delayWords, headline, judgedBy, orderDone, toWorkOn, wentWell, whose } from "../../src/kit/own_marks";
+import { root } from "../../tools/web.mjs";
 import { BridgeOrderState, type Criterion, CriterionKind, CriterionState } from "../../src/wire/generated";
 
 const criterion = (code: string, more: Partial<Criterion>): Criterion => ({
@@ -77,4 +80,30 @@ test("an order that was taken back was not left undone, and what was so before i
   assert.equal(came("ORDER_REPEATED", 90), "carried out 1:30");
   assert.equal(came("ORDER_REPEATED", 30), "so already at 0:30");
   assert.equal(came("ORDER_REPEATED"), "not carried out");
+});
+
+test("which seat a lesson judges is known by the sentence that the server puts behind each briefing", async () => {
+  const server = await readFile(join(root, "server/run/briefing.cpp"), "utf8");
+  const said = [...server.matchAll(/"(The bridge's orders come [^"]*)"/g)].map(([, sentence]) => sentence);
+  assert.deepEqual(
+    said.map((sentence) => judgedBy(`Bring her to anchor. ${sentence} Where no other place is said, she lies there.`)),
+    ["bridge", "forecastle"],
+  );
+  assert.equal(judgedBy(""), undefined);
+});
+
+test("a seat that is not the judged one reads whose the marks are", () => {
+  for (const [judged, seat] of [
+    ["bridge", "conning"],
+    ["bridge", "trainee"],
+    ["forecastle", "forecastle"],
+    ["forecastle", "trainee"],
+    [undefined, "forecastle"],
+  ] as const)
+    assert.equal(whose(judged, seat), undefined, `${judged}, ${seat}`);
+  assert.equal(whose("bridge", "forecastle")?.marks, "The bridge's marks");
+  assert.match(whose("bridge", "forecastle")!.why, /the forecastle has no marks of it/);
+  assert.equal(whose("forecastle", "conning")?.marks, "The forecastle's marks");
+  assert.match(whose("forecastle", "conning")!.why, /the bridge shares its marks/);
+  assert.deepEqual(whose("bridge", "watcher"), { marks: "The bridge's marks", why: "" });
 });
