@@ -369,7 +369,7 @@ void ClassBook::note_in_history(const std::string& recording) {
             if (result.recording == recording) result.in_history = true;
 }
 
-std::string marks_csv(const TrainingClass& of) {
+std::string marks_csv(const TrainingClass& of, const std::vector<AttemptJudged>& words) {
     const auto field = [](const std::string& text) {
         // What a table program would take for a formula is a text.
         std::string quoted = text.find_first_of("=+-@\t") == 0 ? "\"'" : "\"";
@@ -377,17 +377,25 @@ std::string marks_csv(const TrainingClass& of) {
             quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
         return quoted + '"';
     };
-    std::string csv = "class,lesson,exercise,seat,trainee,points,outcome,recording,part\r\n";
+    const auto tenths = [](double points) { return fmt::format("{:.1f}", points); };
+    std::string csv = "class,lesson,exercise,seat,trainee,points,outcome,recording,part,confirmed_by,"
+                      "confirmed_points,confirmed_outcome,note\r\n";
     for (const std::string& exercise : of.exercises)
         for (const Part& each : of.parts(exercise)) {
             const auto found = of.results.find(exercise);
             const Result result = found == of.results.end() ? Result() : found->second;
             const bool marked = each.judged && result.points;
-            csv += fmt::format("{},{},{},{},{},{},{},{},{}\r\n", field(of.id), field(of.lesson),
-                               field(exercise), name_of(each.place), field(each.name),
-                               marked ? fmt::format("{:.1f}", *result.points) : std::string(),
+            csv += fmt::format("{},{},{},{},{},{},{},{},{}", field(of.id), field(of.lesson), field(exercise),
+                               name_of(each.place), field(each.name), marked ? tenths(*result.points) : "",
                                each.judged ? result.outcome : "not judged", field(result.recording),
                                part_words(each));
+            const auto word = std::ranges::find(words, result.recording, &AttemptJudged::recording);
+            if (each.judged && word != words.end())
+                csv +=
+                    fmt::format(",{},{},{},{}\r\n", field(word->by),
+                                word->points ? tenths(*word->points) : "", word->outcome, field(word->note));
+            else
+                csv += ",,,,\r\n";
         }
     return csv;
 }

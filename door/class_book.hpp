@@ -193,8 +193,17 @@ private:
 /// "", "to 4:00", "from 4:00", "from 2:00 to 1:04:00".
 std::string part_words(const Part& of);
 
-/// A class for a table: RFC 4180, one row a part of a seat that was taken.
-std::string marks_csv(const TrainingClass& of);
+/// An assessor's word on an attempt of a class that is over.
+struct AttemptJudged {
+    std::string recording; ///< its name
+    std::string by;
+    std::string outcome;               ///< achieved, not_yet, not_shown
+    std::optional<double> points = {}; ///< 0..100; nothing: as they stand
+    std::string note;
+};
+
+/// A class for a table: RFC 4180, one row a part of a seat that was taken. words: that stand on its attempts.
+std::string marks_csv(const TrainingClass& of, const std::vector<AttemptJudged>& words = {});
 
 /// The seats of each exercise of a crew of so many.
 std::vector<Place> places_of(int crew);

@@ -116,20 +116,30 @@ std::string ClassHistory::judge(const AttemptJudged& judged) const {
     }
 }
 
-json ClassHistory::words(const std::vector<std::string>& recordings) const {
+std::vector<AttemptJudged> ClassHistory::words(const std::vector<std::string>& recordings) const {
     history::History history(history_);
     const auto attempts = attempts_of(recordings_, history);
-    json all = json::array();
+    std::vector<AttemptJudged> all;
     for (const std::string& recording : recordings) {
         const auto its = attempts.find(recording);
         if (its == attempts.end() || its->second.confirmed_by.empty()) continue;
-        const auto& tenths = its->second.score;
-        all.push_back({{"recording", recording},
-                       {"points", tenths ? json(static_cast<double>(*tenths) / 10) : json()},
-                       {"outcome", its->second.outcome},
-                       {"by", its->second.confirmed_by}});
+        const auto& [_, one] = *its;
+        all.push_back(
+            {.recording = recording,
+             .by = one.confirmed_by,
+             .outcome = one.outcome,
+             .points = one.score ? std::optional(static_cast<double>(*one.score) / 10) : std::nullopt,
+             .note = one.note});
     }
     return all;
+}
+
+std::optional<debrief::LaterWord> ClassHistory::word_on(const std::string& recording) const {
+    const auto words = this->words({recording});
+    if (words.empty()) return std::nullopt;
+    const AttemptJudged& word = words.front();
+    return debrief::LaterWord{
+        .by = word.by, .points = word.points, .outcome = word.outcome, .note = word.note};
 }
 
 } // namespace windlass::door

@@ -3,6 +3,7 @@
 // next.
 
 #include "door/door_host.hpp"
+#include "recorder/debrief/page.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -34,8 +35,11 @@ public:
     /// Puts an assessor's word in. Why it is not taken; empty: it stands.
     std::string judge(const AttemptJudged& judged) const;
 
-    /// The words that stand on the attempts of these recordings: [{recording, points, outcome, by}].
-    nlohmann::json words(const std::vector<std::string>& recordings) const;
+    /// The words that stand on the attempts of these recordings.
+    std::vector<AttemptJudged> words(const std::vector<std::string>& recordings) const;
+
+    /// The same on one, for its debriefing; nothing: there is none.
+    std::optional<debrief::LaterWord> word_on(const std::string& recording) const;
 
 private:
     nlohmann::json again_from(const std::filesystem::path& recording) const;

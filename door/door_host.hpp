@@ -31,15 +31,6 @@ struct ExerciseMade {
     std::string recording; ///< its name; empty: none was made
 };
 
-/// An assessor's word on an attempt of a class that is over.
-struct AttemptJudged {
-    std::string recording; ///< its name
-    std::string by;
-    std::string outcome;               ///< achieved, not_yet, not_shown
-    std::optional<double> points = {}; ///< 0..100; nothing: as they stand
-    std::string note;
-};
-
 struct DoorOptions {
     std::filesystem::path state;    ///< folder: people, classes, audit log
     std::string exercise;           ///< that staff's pages show unless they name another
@@ -49,9 +40,11 @@ struct DoorOptions {
     std::function<nlohmann::json()> lessons;
     /// Whether a lesson, by its file's name, judges a trainee on the bridge. Nothing: none does.
     std::function<bool(const std::string& lesson)> bridge_is_judged = {};
-    /// The page of a recording's debriefing, by the recording's name. The same.
+    /// The page of a recording's debriefing, by the recording's name. The same. who: sat there.
     /// what_if: address of the page below.
-    std::function<std::string(const std::string& recording, const std::string& what_if)> debriefing;
+    std::function<std::string(const std::string& recording, const std::string& who,
+                              const std::string& what_if)>
+        debriefing;
     /// The page of a class side by side, each exercise leading to its debriefing. On a thread of its own.
     std::function<std::string(const std::string& title, const std::vector<ExerciseMade>& exercises)>
         side_by_side = {};
@@ -64,9 +57,8 @@ struct DoorOptions {
     std::function<nlohmann::json(const std::vector<std::string>& names)> next = {};
     /// Puts an assessor's word into the history. Why it does not take it; empty: it stands. The same.
     std::function<std::string(const AttemptJudged& judged)> judge = {};
-    /// Assessors' words on the attempts of these recordings, by the history: [{recording, points, outcome,
-    /// by}]. The same.
-    std::function<nlohmann::json(const std::vector<std::string>& recordings)> words = {};
+    /// The words of assessors that stand on the attempts of these recordings, by the history. The same.
+    std::function<std::vector<AttemptJudged>(const std::vector<std::string>& recordings)> words = {};
     /// Who may start lessons here; none: nobody does, and nothing goes out.
     cmi5::LearningSystems learning_systems = {};
     cmi5::WebClient web = cmi5::WebClient(); ///< asks them
@@ -163,12 +155,12 @@ private:
     gateway::Verdict logged_in(const Who& who, const std::string& name, const std::string& how);
     gateway::Verdict log_out(const Who& who);
     gateway::Verdict lead(const Who& who, const Json& asked);
-    gateway::Verdict marks(const std::string& id) const;
+    void marks(const std::string& id, const Reply& reply);
     void next(const std::string& id, const Reply& reply);
     void take_word(const Who& who, const Json& asked, const Reply& reply);
     void debrief(const std::string& recording, bool what_if, const Reply& reply);
     void lay_side_by_side(const std::string& id, const Reply& reply);
-    bool made_by_a_class(const std::string& recording) const;
+    std::optional<std::string> who_made(const std::string& recording) const;
     void let_in(const Who& who, const Json& asked, const Reply& reply);
     void log_out_all(const std::string& name);
     Json me(const Who& who) const;

@@ -304,7 +304,7 @@ int run(Options options) {
             audit.write("order", {{"by", by}, {"exercise", exercise}, {"topic", topic}});
     };
     const auto exercise_files = instructor.exercise_files;
-    const auto debrief_of = instructor.debrief_of;
+    const auto config = instructor.config_root;
     const auto what_if_of = instructor.what_if_of;
     const auto lessons = [exercise_files] {
         return exercise_files({{"what", "list"}, {"name", ""}, {"text", ""}, {"over", ""}});
@@ -326,19 +326,20 @@ int run(Options options) {
                  return of.is_object() && of.value("bridge", nlohmann::json()) == "manned";
              },
          .debriefing =
-             [debrief_of, recordings = options.recordings](const std::string& recording,
-                                                           const std::string& what_if) {
-                 return debrief_of(recordings / recording, what_if);
+             [history, recordings = options.recordings,
+              config](const std::string& recording, const std::string& who, const std::string& what_if) {
+                 return console::debrief_page(recordings / recording, config, what_if, who,
+                                              history.word_on(recording));
              },
          .side_by_side =
-             [recordings = options.recordings](const std::string& title,
-                                               const std::vector<door::ExerciseMade>& exercises) {
+             [history, recordings = options.recordings](const std::string& title,
+                                                        const std::vector<door::ExerciseMade>& exercises) {
                  std::vector<console::RecordedExercise> recorded;
                  for (const auto& [who, recording] : exercises)
-                     recorded.push_back(
-                         {.who = who,
-                          .link = "debriefing?recording=" + recording,
-                          .recording = recording.empty() ? fs::path() : recordings / recording});
+                     recorded.push_back({.who = who,
+                                         .link = "debriefing?recording=" + recording,
+                                         .recording = recording.empty() ? fs::path() : recordings / recording,
+                                         .word = history.word_on(recording)});
                  return console::side_by_side_page(title, recorded);
              },
          .what_if = [what_if_of, recordings = options.recordings](

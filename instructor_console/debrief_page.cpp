@@ -17,9 +17,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Whether an assessor's word was already heard by the recorder: then the attempt has it.
+bool is_recorded(const debrief::LaterWord& word, const debrief::Attempt& attempt) {
+    return std::ranges::any_of(attempt.words, [&](const debrief::AssessorWord& one) {
+        return one.by == word.by && one.command.note().to_string() == word.note;
+    });
+}
+
 std::string page_of(recording::Recording& recording, const fs::path& config, debrief::PageOptions options) {
     auto attempt = debrief::read_attempt(recording);
     debrief::read_scenes(recording, attempt);
+    if (options.word && is_recorded(*options.word, attempt)) options.word.reset();
     std::optional<debrief::Attempt> model;
     if (attempt.assessment) {
         try {
@@ -52,19 +60,21 @@ std::string waiting_page(const fs::path& recording, const std::string& words, bo
 
 } // namespace
 
-std::string debrief_page(const fs::path& path, const fs::path& config, const std::string& what_if) {
+std::string debrief_page(const fs::path& path, const fs::path& config, const std::string& what_if,
+                         const std::string& who, std::optional<debrief::LaterWord> word) {
     recording::Recording recording({path});
-    return page_of(recording, config, {.links = beside(what_if)});
+    return page_of(recording, config, {.links = beside(what_if), .word = std::move(word), .who = who});
 }
 
 std::string side_by_side_page(const std::string& title, const std::vector<RecordedExercise>& exercises) {
     std::deque<debrief::Attempt> attempts;
     std::vector<debrief::Beside> all;
-    for (const auto& [who, link, path] : exercises) {
-        debrief::Beside one{.who = who, .link = link, .missing = "was not recorded"};
+    for (const auto& [who, link, path, word] : exercises) {
+        debrief::Beside one{.who = who, .link = link, .missing = "was not recorded", .word = word};
         if (!path.empty()) try {
                 recording::Recording recording({path});
                 one.attempt = &attempts.emplace_back(debrief::read_attempt(recording));
+                if (one.word && is_recorded(*one.word, *one.attempt)) one.word.reset();
             } catch (const std::exception& error) {
                 one.missing = std::string("cannot be read: ") + error.what();
             }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "recorder/debrief/page.hpp"
+
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
@@ -14,15 +16,17 @@ namespace windlass::console {
 
 /// The debriefing of a recording's last run as a page that this station serves: its times open the replay
 /// beside it. config: folder with the scripts of the lessons' model runs, which are laid behind the curves.
-/// what_if: address of the page below. Throws std::exception, with what is wrong, when the recording cannot
-/// be read.
+/// what_if: address of the page below. who, word: as debrief::PageOptions. Throws std::exception, with what
+/// is wrong, when the recording cannot be read.
 std::string debrief_page(const std::filesystem::path& recording, const std::filesystem::path& config,
-                         const std::string& what_if);
+                         const std::string& what_if, const std::string& who = {},
+                         std::optional<debrief::LaterWord> word = {});
 
 /// One exercise of a class, and where the debriefing above of it is served.
 struct RecordedExercise {
     std::string who, link;
     std::filesystem::path recording; ///< empty: it was not recorded
+    std::optional<debrief::LaterWord> word = {};
 };
 
 /// What came of a class, side by side. A recording that cannot be read is left out, and the page says so.

@@ -115,22 +115,29 @@ std::string History::confirm(const std::string& beginning, const Word& word, con
     return stands;
 }
 
+namespace {
+
+/// The note beside the assessor's word that stands on an attempt.
+constexpr const char* kNote =
+    "(SELECT note FROM override WHERE override.attempt = attempt.id AND criterion = '' AND "
+    "by = confirmed_by AND at = confirmed_at ORDER BY override.rowid DESC LIMIT 1)";
+
+} // namespace
+
 std::vector<Listed> History::list(const Wanted& wanted) {
     std::vector<Listed> all;
-    const auto rows = database_.run(
-        "SELECT attempt.id, began_at, lesson.name, lesson.title, (SELECT group_concat(who, ', ') FROM "
-        "(SELECT pseudonym || ' (' || trim(seat || ' ' || part) || ')' AS who FROM seat JOIN trainee ON "
-        "trainee.id = seat.trainee WHERE seat.attempt = attempt.id ORDER BY seat.rowid)), "
-        "coalesce(score_final, "
-        "score_computed), CASE WHEN practice THEN 'practice' ELSE coalesce(outcome_final, outcome) END, "
-        "ended, "
-        "confirmed_by, recording, hints FROM attempt JOIN "
-        "lesson ON lesson.hash = "
-        "lesson_hash "
-        "WHERE (?1 = '' OR EXISTS(SELECT 1 FROM seat JOIN trainee ON trainee.id = seat.trainee WHERE "
-        "seat.attempt = "
-        "attempt.id AND pseudonym = ?1)) AND (?2 = '' OR lesson.name = ?2) ORDER BY began_at, attempt.id",
-        {wanted.trainee, wanted.lesson});
+    const auto rows = database_.run(fmt::format(R"(
+SELECT attempt.id, began_at, lesson.name, lesson.title,
+  (SELECT group_concat(who, ', ') FROM (SELECT pseudonym || ' (' || trim(seat || ' ' || part) || ')' AS who FROM seat
+    JOIN trainee ON trainee.id = seat.trainee WHERE seat.attempt = attempt.id ORDER BY seat.rowid)),
+  coalesce(score_final, score_computed), CASE WHEN practice THEN 'practice' ELSE coalesce(outcome_final, outcome) END,
+  ended, confirmed_by, recording, hints, {}
+FROM attempt JOIN lesson ON lesson.hash = lesson_hash
+WHERE (?1 = '' OR EXISTS(SELECT 1 FROM seat JOIN trainee ON trainee.id = seat.trainee
+    WHERE seat.attempt = attempt.id AND pseudonym = ?1)) AND (?2 = '' OR lesson.name = ?2)
+ORDER BY began_at, attempt.id)",
+                                                kNote),
+                                    {wanted.trainee, wanted.lesson});
     for (const Row& row : rows)
         all.push_back({.attempt = text_of(row[0]),
                        .began_at = text_of(row[1]),
@@ -142,7 +149,8 @@ std::vector<Listed> History::list(const Wanted& wanted) {
                        .ended = text_of(row[7]),
                        .confirmed_by = text_of(row[8]),
                        .recording = text_of(row[9]),
-                       .hints = integer_of(row[10]).value_or(0)});
+                       .hints = integer_of(row[10]).value_or(0),
+                       .note = text_of(row[11])});
     return all;
 }
 
@@ -159,21 +167,19 @@ std::string field(const std::string& text) {
 } // namespace
 
 std::string History::csv(bool with_names) {
-    std::string csv = "attempt,began_at,lesson,title,seat,part,pseudonym,group,score_computed,"
-                      "score_final,outcome,outcome_computed,ended,confirmed_by,confirmed_at,assessment_hash,"
-                      "recording_sha256,hints";
+    std::string csv =
+        "attempt,began_at,lesson,title,seat,part,pseudonym,group,score_computed,"
+        "score_final,outcome,outcome_computed,ended,confirmed_by,confirmed_at,note,assessment_hash,"
+        "recording_sha256,hints";
     csv += with_names ? ",name\r\n" : "\r\n";
-    const auto rows = database_.run(
-        std::string(
-            "SELECT attempt.id, began_at, lesson.name, lesson.title, seat.seat, part, pseudonym, group_name, "
-            "score_computed / 10.0, score_final / 10.0, CASE WHEN practice THEN 'practice' ELSE "
-            "coalesce(outcome_final, outcome) END, outcome, ended, "
-            "confirmed_by, confirmed_at, "
-            "assessment_hash, recording_sha256, hints") +
-        (with_names ? ", trainee.name" : "") +
-        " FROM attempt JOIN lesson ON lesson.hash = lesson_hash LEFT JOIN seat ON seat.attempt = attempt.id "
-        "LEFT JOIN "
-        "trainee ON trainee.id = seat.trainee ORDER BY began_at, attempt.id, seat.seat, seat.rowid");
+    const auto rows = database_.run(fmt::format(R"(
+SELECT attempt.id, began_at, lesson.name, lesson.title, seat.seat, part, pseudonym, group_name, score_computed / 10.0,
+  score_final / 10.0, CASE WHEN practice THEN 'practice' ELSE coalesce(outcome_final, outcome) END, outcome, ended,
+  confirmed_by, confirmed_at, {}, assessment_hash, recording_sha256, hints{}
+FROM attempt JOIN lesson ON lesson.hash = lesson_hash LEFT JOIN seat ON seat.attempt = attempt.id
+  LEFT JOIN trainee ON trainee.id = seat.trainee
+ORDER BY began_at, attempt.id, seat.seat, seat.rowid)",
+                                                kNote, with_names ? ", trainee.name" : ""));
     for (const Row& row : rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
             const auto* score = std::get_if<double>(&row[i]);

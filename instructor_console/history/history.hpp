@@ -25,6 +25,7 @@ struct Listed {
     std::string outcome; ///< "practice" where it was for that: it counts as no test, whatever came of it
     std::string ended, confirmed_by, recording;
     std::int64_t hints = 0; ///< that were given
+    std::string note;       ///< of the assessor whose word stands
 };
 
 /// What is listed; empty: all.

@@ -72,6 +72,7 @@ void list(History& history, const HistoryOptions& options, bool as_json) {
              {"hints", each.hints},
              {"ended", each.ended},
              {"confirmed_by", each.confirmed_by},
+             {"note", each.note},
              {"recording", each.recording}});
     }
     if (as_json) {

@@ -55,12 +55,25 @@ struct Remedy {
     std::optional<SceneAt> was = {}, would = {}; ///< at the end of the curves; nothing: no change helps
 };
 
+/// What an assessor has said of an attempt once it was over, as a history has it.
+struct LaterWord {
+    std::string by;
+    std::optional<double> points; ///< of 100, that stand; nothing: there are none
+    std::string outcome, note;    ///< achieved, not_yet, not_shown; why
+
+    /// "80.0 points, achieved".
+    std::string stands() const;
+};
+
 struct PageOptions {
     Links links;
     std::vector<const Attempt*> over = {}; ///< other attempts, laid over the plots: three at most
     std::optional<Ghost> ghost = {};
     std::string no_ghost = {};                        ///< why there is none where one was wanted
     std::optional<std::vector<Remedy>> remedies = {}; ///< nothing: they were not searched for
+    std::optional<LaterWord> word = {};               ///< nothing: no assessor has said anything since
+    std::string who =
+        {}; ///< "anna, forecastle; ben, bridge": who sat there; empty: only who did something is known
 };
 
 std::string page_of(const Attempt& attempt, const PageOptions& options);

@@ -60,7 +60,7 @@ std::string hands_words(const Attempt& attempt) {
         add(hand.others, "other order to the exercise", "other orders to the exercise");
         text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", name, did);
     }
-    return text;
+    return text.empty() ? "nobody moved a lever, ordered or reported" : text;
 }
 
 Cell html_cell(std::string html) {
@@ -298,7 +298,8 @@ std::string summary_part(const PageContext& page) {
             term("Time of exercise",
                  fmt::format("{} to {}, {} in all", station::clock(attempt.began),
                              station::clock(attempt.ended), station::clock(attempt.duration()))) +
-            term("End", end_words(attempt)) + term("Seats", hands_words(attempt));
+            term("End", end_words(attempt)) + term("Trainees", page.options.who) +
+            term("What was done", hands_words(attempt));
     for (const Figure& each : figures_of(attempt))
         if (each.id != "duration" && each.id != "score") html += term(each.name, each.words);
     return html + "</dl>\n</section>\n";
@@ -329,8 +330,16 @@ std::string result_part(const PageContext& page) {
         if (word.command.criterion().size() == 0 && word.command.verdict() == VERDICT_CONFIRMED)
             html += fmt::format("<p>Confirmed by {}: {}</p>\n", escaped(word.by),
                                 escaped(word.command.note().to_string()));
+    if (const auto& since = page.options.word)
+        html += fmt::format("<p>Set by {} since: <strong>{}</strong>. {}</p>\n", escaped(since->by),
+                            escaped(since->stands()), escaped(since->note));
     return html + objectives(attempt) + strengths(judgement) + deductions(page, judgement) +
            courses(page, judgement) + hints(page) + criteria(attempt, judgement) + "</section>\n";
+}
+
+std::string LaterWord::stands() const {
+    const std::string what = outcome_words(outcome);
+    return points ? fmt::format("{:.1f} points, {}", *points, what) : what;
 }
 
 std::string moments_part(const PageContext& page) {

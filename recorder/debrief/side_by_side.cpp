@@ -97,13 +97,17 @@ std::string results_part(const Class& of) {
     for (std::size_t i = 0; i < of.size(); ++i) {
         const Beside& one = of.all[i];
         const auto& marks = of.at(i).assessment;
-        const std::string who = escaped(one.who);
+        const std::string who = escaped(one.who),
+                          since = one.word
+                                      ? fmt::format("; set by {} since: {}", one.word->by, one.word->stands())
+                                      : "";
         std::vector<Cell> row{
             figure_cell(fmt::format("{}", i + 1)),
             {one.link.empty() ? who : fmt::format("<a href=\"{}\">{}</a>", escaped(one.link), who), false},
-            text_cell(!marks              ? "not assessed"
-                      : marks->practice() ? practice_words(of.at(i))
-                                          : outcome_words(marks->outcome().to_string()))};
+            text_cell((!marks              ? "not assessed"
+                       : marks->practice() ? practice_words(of.at(i))
+                                           : outcome_words(marks->outcome().to_string())) +
+                      since)};
         for (const std::string& id : order) {
             const auto found = figures[i].find(id);
             row.push_back(figure_cell(found == figures[i].end() ? "" : told(found->second)));

@@ -1,16 +1,17 @@
 #pragma once
 // A class at one lesson: what came of each of its exercises, beside each other.
 
-#include "recorder/debrief/attempt.hpp"
+#include "recorder/debrief/page.hpp"
 
 namespace windlass::debrief {
 
 /// One exercise of a class.
 struct Beside {
-    std::string who = {};             ///< "Anna, forecastle; Ben, bridge"
-    std::string link = {};            ///< address of its debriefing; empty: none
-    const Attempt* attempt = nullptr; ///< nullptr: there is none
-    std::string missing = {};         ///< why there is none: "was not recorded"
+    std::string who = {};               ///< "Anna, forecastle; Ben, bridge"
+    std::string link = {};              ///< address of its debriefing; empty: none
+    const Attempt* attempt = nullptr;   ///< nullptr: there is none
+    std::string missing = {};           ///< why there is none: "was not recorded"
+    std::optional<LaterWord> word = {}; ///< nothing: no assessor has said anything since
 };
 
 /// From when each is told: letting go where one let go, else the first fault where one had one, else the

@@ -258,12 +258,14 @@ TEST_F(Booked, AClassIsATableOfItsSeats) {
     book_.join("mon", "carl", "k3");
     book_.note("mon", "mon-1", {"mon-1-17", 71.25, "not_yet"});
     EXPECT_EQ(
-        marks_csv(*book_.find("mon")),
-        "class,lesson,exercise,seat,trainee,points,outcome,recording,part\r\n"
+        marks_csv(*book_.find("mon"), {{"mon-1-17", "bo", "achieved", {}, "the load cell had failed"}}),
+        "class,lesson,exercise,seat,trainee,points,outcome,recording,part,confirmed_by,confirmed_points,"
+        "confirmed_outcome,note\r\n"
         "\"mon\",\"L01_let_go_25m\",\"mon-1\",forecastle,\"anna \"\"the\"\" first, of two\",71.2,not_yet,"
-        "\"mon-1-17\",\r\n"
-        "\"mon\",\"L01_let_go_25m\",\"mon-1\",bridge,\"'=HYPERLINK(1)\",71.2,not_yet,\"mon-1-17\",\r\n"
-        "\"mon\",\"L01_let_go_25m\",\"mon-2\",forecastle,\"carl\",,,\"\",\r\n")
+        "\"mon-1-17\",,\"bo\",,achieved,\"the load cell had failed\"\r\n"
+        "\"mon\",\"L01_let_go_25m\",\"mon-1\",bridge,\"'=HYPERLINK(1)\",71.2,not_yet,\"mon-1-17\",,\"bo\",,"
+        "achieved,\"the load cell had failed\"\r\n"
+        "\"mon\",\"L01_let_go_25m\",\"mon-2\",forecastle,\"carl\",,,\"\",,,,,\r\n")
         << "carl has not been marked";
 }
 

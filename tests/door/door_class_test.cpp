@@ -171,6 +171,16 @@ TEST_F(Class, OnAnAttemptAnAssessorHasAWordOnceTheHistoryHasIt) {
     EXPECT_EQ(told[0]["points"], 81.5);
     EXPECT_EQ(told[0]["outcome"], "achieved");
     EXPECT_EQ(class_told("mon")["exercises"][0]["outcome"], "not_shown") << "what was computed stays";
+    const std::string debriefing = assessor.get("/door/debriefing?recording=" + recording).body;
+    EXPECT_THAT(debriefing,
+                HasSubstr("Set by assessor since: <strong>81.5 points, achieved</strong>. the load cell "
+                          "had failed"));
+    EXPECT_THAT(debriefing, HasSubstr("<dt>Trainees</dt><dd>ben</dd>"));
+    EXPECT_THAT(debriefing, HasSubstr("<dd>nobody moved a lever, ordered or reported</dd>"));
+    EXPECT_THAT(assessor.get("/door/side_by_side?class=mon").body,
+                HasSubstr("; set by assessor since: 81.5 points, achieved"));
+    EXPECT_THAT(assessor.get("/door/marks.csv?class=mon").body,
+                HasSubstr(",\"assessor\",81.5,achieved,\"the load cell had failed\""));
     EXPECT_THAT(audit(), HasSubstr("attempt.judged"));
 }
 
