@@ -69,6 +69,9 @@ Gateway::Gateway(GatewayOptions options)
                                         role.classroom_hears);
     classroom_orders_ = std::make_unique<OrderWriters>(classroom_->participant(), role.classroom_writes,
                                                        options_.member.name);
+    if (!options_.replays && !options_.recorder.empty())
+        options_.replays =
+            std::make_shared<Replays>(options_.recorder, options_.recorder_arguments, options_.log);
     if (!options_.exercise.empty()) desk(options_.exercise);
 }
 
@@ -148,7 +151,11 @@ void Gateway::tick(Clock::time_point now) {
     if (now < next_news_) return;
     next_news_ = now + kNews;
     tend_recorders();
-    tend_replays(now);
+    if (options_.replays) {
+        for (const auto& [exercise, _] : desks_)
+            options_.replays->looked_at(exercise, now);
+        options_.replays->tick(now);
+    }
     cameras_.tick(now);
     tell_news();
     tell_alerts();

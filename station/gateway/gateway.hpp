@@ -6,7 +6,7 @@
 #include "station/gateway/camera_watch.hpp"
 #include "station/gateway/exercise_desk.hpp"
 #include "station/gateway/line_log.hpp"
-#include "station/gateway/recorder_process.hpp"
+#include "station/gateway/replays.hpp"
 #include "station/gateway/session.hpp"
 
 #include <functional>
@@ -27,7 +27,11 @@ struct GatewayOptions {
     std::function<void(const std::string& by, const std::string& exercise, const std::string& topic)> given =
         {};
 
-    /// The rest is an instructor's. Program that records; empty: none is there.
+    /// Where recordings are shown, to who may look at them (may_replay); nothing: here alone, by `recorder`.
+    std::shared_ptr<Replays> replays;
+
+    /// The rest is an instructor's, but that an assessor reads events_of and past_of, too. Program that
+    /// records; empty: none is there.
     std::filesystem::path recorder;
     std::vector<std::string> recorder_arguments; ///< beside partition and output: domain, network, identity
     std::filesystem::path recordings = "recordings"; ///< folder of them
@@ -133,12 +137,6 @@ private:
         PageSession* page;                                     // nullptr: gone
         nlohmann::json id;
     };
-    /// A recording that is shown to the pages of this station.
-    struct Replay {
-        std::string recording;
-        std::unique_ptr<RecorderProcess> process;
-        Clock::time_point used; // since when no page has it
-    };
 
     std::shared_ptr<ExerciseDesk> desk(const std::string& exercise);
     void continue_live(PageSession& page, const nlohmann::json& id, const std::string& recording,
@@ -161,7 +159,6 @@ private:
     void levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder,
                         const std::string& taken_by);
     void tend_recorders();
-    void tend_replays(Clock::time_point now);
     void tell_news();
     void tell_alerts();
 
@@ -175,7 +172,6 @@ private:
     std::set<PageSession*> pages_;
     std::map<std::string, Recording> recordings_; // by exercise
     std::map<std::string, std::string> recorded_; // the last that was made here, by exercise
-    std::map<std::string, Replay> replays_;       // by exercise
     std::vector<Continuation> continuations_;
     std::vector<Reading> readings_;
     std::map<std::string, std::string> debriefs_; // paths of pages, by recording

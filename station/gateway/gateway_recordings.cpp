@@ -18,9 +18,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto kDiscovery = 5s; // until an exercise that has just been joined is heard
-constexpr auto kShown = 60s;    // a replay that nobody looks at goes on so long
-constexpr std::size_t kReplays = 4, kReadings = 4;
-constexpr std::string_view kReplay = "replay-"; // before a recording's name: the partition of its replay
+constexpr std::size_t kReadings = 4;
 
 Refused no_instructor(const char* what) {
     return {"", "", what, "for an instructor"};
@@ -115,7 +113,7 @@ std::filesystem::path Gateway::folder_of(const std::string& recording) const {
 }
 
 void Gateway::read_events(PageSession& page, const json& id, const std::string& recording) {
-    if (options_.seat != station::Seat::instructor || !options_.events_of || !options_.past_of)
+    if (!may_replay(options_.seat) || !options_.events_of || !options_.past_of)
         throw no_instructor("a recording's events");
     const auto folder = folder_of(recording);
     read({.made = std::async(std::launch::async,
@@ -191,41 +189,8 @@ bool Gateway::show(Reading& reading) {
 }
 
 std::string Gateway::replay(const std::string& recording) {
-    if (options_.seat != station::Seat::instructor || options_.recorder.empty())
-        throw no_instructor("a replay");
-    const auto folder = folder_of(recording);
-    const std::string exercise = std::string(kReplay) + recording;
-    if (!wire::is_exercise_name(exercise))
-        throw Refused("", "recording", recording,
-                      "a name of 57 characters at most, to be replayed by a page");
-    if (const auto running = replays_.find(exercise);
-        running != replays_.end() && !running->second.process->ended()) {
-        running->second.used = Clock::now();
-        return exercise;
-    }
-    if (replays_.size() >= kReplays && !replays_.contains(exercise))
-        throw Refused("", "recording", recording, fmt::format("{} replays at a time", kReplays));
-    std::vector<std::string> arguments{"replay", folder.string(), "--partition",
-                                       exercise, "--paused",      "--stay"};
-    std::ranges::copy(options_.recorder_arguments, std::back_inserter(arguments));
-    try {
-        replays_[exercise] = {recording, std::make_unique<RecorderProcess>(options_.recorder, arguments),
-                              Clock::now()};
-    } catch (const std::exception& error) {
-        replays_.erase(exercise);
-        throw Refused("", "recording", recording, error.what());
-    }
-    log("replaying " + folder.string() + " in exercise " + exercise);
-    return exercise;
-}
-
-void Gateway::tend_replays(Clock::time_point now) {
-    for (auto at = replays_.begin(); at != replays_.end();) {
-        Replay& each = at->second;
-        if (desks_.contains(at->first)) each.used = now;
-        if (now - each.used > kShown) each.process->stop();
-        at = each.process->ended() ? replays_.erase(at) : std::next(at);
-    }
+    if (!options_.replays || !may_replay(options_.seat)) throw no_instructor("a replay");
+    return options_.replays->show(folder_of(recording));
 }
 
 bool Gateway::go_on(Continuation& each, Clock::time_point now) {

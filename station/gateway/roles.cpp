@@ -62,7 +62,7 @@ Topics what_is_seen() {
     return list;
 }
 
-Topics seat_writes(Seat seat) {
+Topics seat_writes(Seat seat, bool in_replay) {
     switch (seat) {
     case Seat::forecastle:
         return {&topics::windlass_command, &topics::report, &topics::deck_work_command,
@@ -80,6 +80,7 @@ Topics seat_writes(Seat seat) {
     case Seat::observer:
         return {};
     case Seat::assessor:
+        if (in_replay) return {&topics::assessment_command, &topics::replay_command};
         return {&topics::assessment_command};
     case Seat::instructor:
         break;
@@ -140,10 +141,10 @@ Topics hears(Seat seat, bool in_replay) {
 } // namespace
 
 Role role_of(Seat seat, const std::string& exercise) {
-    const bool instructor = seat == Seat::instructor;
+    const bool instructor = seat == Seat::instructor, in_replay = exercise.starts_with("replay");
     Role role{.name = name_of(seat),
-              .hears = hears(seat, exercise.starts_with("replay")),
-              .writes = seat_writes(seat),
+              .hears = hears(seat, in_replay),
+              .writes = seat_writes(seat, in_replay),
               .classroom_hears = {&topics::classroom_status},
               .classroom_writes = {},
               .pages = pages_of(seat)};
@@ -151,6 +152,10 @@ Role role_of(Seat seat, const std::string& exercise) {
         role.classroom_hears.push_back(&topics::event);
     if (instructor) role.classroom_writes.push_back(&topics::classroom_command);
     return role;
+}
+
+bool may_replay(Seat seat) {
+    return among(seat_writes(seat, true), topics::replay_command);
 }
 
 const wire::TopicInfo* find_topic(const std::string& name) {

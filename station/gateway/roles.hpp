@@ -25,6 +25,9 @@ struct Role {
 /// nothing. A name that begins with "replay" is a replay's, where the seats hear all: that is the debriefing.
 Role role_of(station::Seat seat, const std::string& exercise);
 
+/// Whether it may have recordings shown, and seek in them.
+bool may_replay(station::Seat seat);
+
 /// The row of that name, of the exercises' topics or the classroom's; nullptr: none.
 const wire::TopicInfo* find_topic(const std::string& name);
 

@@ -19,6 +19,7 @@ const tls = { ignoreHTTPSErrors: true }; // its authority is nobody's yet
 let folder: string, code: string;
 let door: Awaited<ReturnType<Rig["door"]>>;
 let owner: TestPage, phone: TestPage, tablet: TestPage, late: TestPage;
+let replay: string; // the desk of a recording that is shown
 
 const on = (page: TestPage, name: string) => page.getByRole("button", { name, exact: true });
 const look = async (page: Page, name: string) => {
@@ -295,6 +296,7 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await beside.close();
   await debriefing.locator('a[href^="/replay?"]').first().click();
   await eventually("its times open the replay", () => debriefing.url().includes("/instructor?exercise=replay-"));
+  replay = debriefing.url();
   await row.getByRole("button", { name: /^Again from \d+:\d\d$/ }).click();
   await eventually("a class for her and who sat beside her, from there", async () =>
     /For .*carla.* alone.*; from \d+:\d\d of .*, .*went wrong.*/.test(await owner.locator("form").textContent()),
@@ -339,6 +341,42 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   const name = await owner.getByRole("textbox", { name: "Name of the class" }).inputValue();
   assert.equal(name, `${first}-b`, "that of a class that is over is taken");
   for (const page of [owner, tablet, phone]) hadNoProblems(page);
+});
+
+test("an assessor looks at the replay that is shown, and seeks in it; an observer looks on", async () => {
+  const password = "a long password";
+  const recording = new URL(replay).searchParams.get("exercise").replace(/^replay-/, "");
+  const staff = async (rank: string): Promise<TestPage> => {
+    const body = JSON.stringify({ do: "put", name: rank, rank, password });
+    await owner.evaluate(
+      (text) => fetch("/door/people", { method: "POST", headers: { "Content-Type": "application/json" }, body: text }),
+      body,
+    );
+    const page = await openPage(new URL("/login", door.url).href, { ...tls, viewport: { width: 1280, height: 800 } });
+    await page.locator("input[name=name]").fill(rank);
+    await page.locator("input[name=password]").fill(password);
+    await on(page, "Log in").click();
+    await page.waitForURL(/\/class$/);
+    return page;
+  };
+  const assessor = await staff("assessor");
+  await assessor.goto(new URL(`/replay?recording=${recording}&t=5`, door.url).href); // as a debriefing's time does
+  await assessor.waitForURL(/\/instructor\?exercise=replay-/);
+  const place = () => assessor.locator(".replay-bar .place").textContent();
+  await eventually("it stands there", async () => /^0:05 of /.test(await place()));
+  await on(assessor, "on 10 s, Shift and right arrow").click();
+  await eventually("it goes where he wants", async () => /^0:15 of /.test(await place()));
+  await eventually("all events of the recording are there", async () =>
+    /Let go|let go/.test(await assessor.locator(".log").first().textContent()),
+  );
+  for (const name of ["Continue live", "Debrief", "REC"]) assert.equal(await on(assessor, name).count(), 0, name);
+  await look(assessor, "assessor_replay");
+  const observer = await staff("observer");
+  await observer.goto(new URL(`/replay?recording=${recording}&t=5`, door.url).href);
+  await observer.getByText("cannot be replayed here: ").waitFor();
+  await closePage(observer);
+  hadNoProblems(assessor);
+  await closePage(assessor);
 });
 
 test("of an exercise that its server does not make the class says so", async () => {

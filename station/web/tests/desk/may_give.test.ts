@@ -13,9 +13,12 @@ import { root } from "../../tools/web.mjs";
 const src = join(root, "station/web/src/desk");
 
 /** A seat as its station tells of it: what roles.txt lets it write. */
-async function told(seat: Seat): Promise<SeatTold> {
+async function told(seat: Seat, replay = false): Promise<SeatTold> {
   const lines = (await readFile(join(root, "config/security/roles.txt"), "utf8")).split("\n");
-  const written = lines.map((line) => line.split(/\s+/)).filter(([role, , what]) => role === seat && what === "write");
+  const where = replay ? ["exercise/*", "exercise/replay*"] : ["exercise/*"];
+  const written = lines
+    .map((line) => line.split(/\s+/))
+    .filter(([role, partition, what]) => role === seat && where.includes(partition!) && what === "write");
   return { seat, commands: written.flatMap((line) => line.slice(3)) as TopicName[] };
 }
 
@@ -41,8 +44,18 @@ test("an instructor has every control, an assessor the marks' alone, an observer
 });
 
 test("a replay takes its own orders alone, and an instructor's files are there", async () => {
-  assert.deepEqual(withheld(await told("instructor"), true), kLive);
-  assert.ok(!mayGive(await told("assessor"), true, "AssessmentCommand"));
+  assert.deepEqual(withheld(await told("instructor", true), true), kLive);
+  assert.ok(!mayGive(await told("assessor", true), true, "AssessmentCommand"));
+});
+
+test("an assessor seeks in a replay, and an observer does not", async () => {
+  assert.deepEqual(withheld(await told("assessor", true), true), [...kLive, "RestoreCommand", "files"]);
+  assert.deepEqual(withheld(await told("observer", true), true), [
+    ...kLive,
+    "ReplayCommand",
+    "RestoreCommand",
+    "files",
+  ]);
 });
 
 test("before the station has said which seat it is, nothing is given", () => {
