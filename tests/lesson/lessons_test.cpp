@@ -44,16 +44,20 @@ std::string missed(const lesson::Played& played) {
     return text + "\n" + played.stuck;
 }
 
-void try_out(const fs::path& path) {
-    SCOPED_TRACE(path.filename().string());
-    const LessonFile file = read_lesson_file(path);
-    check_scripts(file);
+void passes(const LessonFile& file) {
     ASSERT_FALSE(file.lesson.model_run.scripts.empty());
-    ASSERT_FALSE(file.lesson.errors.empty());
     const lesson::Played right = play(file, file.lesson.model_run);
     EXPECT_EQ(right.result.outcome, assess::Outcome::achieved) << missed(right);
     EXPECT_GE(right.result.tenths, 10 * kGood) << missed(right);
     EXPECT_EQ(right.stuck, "");
+}
+
+void try_out(const fs::path& path) {
+    SCOPED_TRACE(path.filename().string());
+    const LessonFile file = read_lesson_file(path);
+    check_scripts(file);
+    ASSERT_FALSE(file.lesson.errors.empty());
+    passes(file);
     for (const assess::LessonRun& other : file.lesson.also_right) {
         SCOPED_TRACE(other.about);
         const lesson::Played played = play(file, other);
@@ -92,6 +96,23 @@ TEST(Lessons, OfTheCheckMotorOverhauled) {
 TEST(Lessons, OfTheCheckStuckInThePipe) {
     try_out(lesson_file("L18_stuck.json"));
 }
+
+/// Lessons whose model run is a matter of seconds: some 95 s of one core, of 330 for all.
+class ModelRun : public testing::TestWithParam<const char*> {};
+
+TEST_P(ModelRun, PassesItsLesson) {
+    passes(read_lesson_file(lesson_file((std::string(GetParam()) + ".json").c_str())));
+}
+
+INSTANTIATE_TEST_SUITE_P(Lessons, ModelRun,
+                         testing::Values("L02_lower_and_let_go", "L04_weigh", "L05_standing_moor",
+                                         "L06_dredging", "L07_second_anchor", "L08_weigh_in_a_gale",
+                                         "L09_foul_anchor", "L10_turns", "L13_runaway", "L14_hydraulic_loss",
+                                         "L16_emergency", "L17_blackout", "L20_no_word", "L22_dead_load_cell",
+                                         "L23_approach", "L24_not_here", "L25_break_out", "L27_the_conn",
+                                         "L31_mediterranean_moor", "A01_stellar_voyager", "A02_tanker_mars",
+                                         "A05_royal_pescadores", "A06_clutch_mars_201410", "A08_mariella"),
+                         [](const auto& lesson) { return std::string(lesson.param); });
 
 // Much is looked at for the first time then, and comes from nowhere.
 TEST(Lessons, FirstTicksOfEachAreReadBack) {
