@@ -160,6 +160,7 @@ Exercise::Exercise(const ExerciseDef& def) : Exercise(std::make_unique<World>(de
         if (def.settled) {
             *this = read_checkpoint(*def.settled);
             world_->def.settled = def.settled;
+            world_->def.lesson = def.lesson; // it may have been put to practice since
             return;
         }
         play_prelude(*this, def);

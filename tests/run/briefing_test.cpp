@@ -2,6 +2,7 @@
 
 #include "server/run/briefing.hpp"
 
+#include "server/exercise/checkpoint.hpp"
 #include "tests/run/session_rig.hpp"
 
 #include <future>
@@ -156,6 +157,17 @@ TEST_F(OneSeatAlone, HasItsHintsInPracticeAloneAndTheSameAfterARestore) {
 
     give(session, run_order(RunAction::reset));
     EXPECT_TRUE(session.assessor().lesson()->practice) << "it is for practice until another is loaded";
+}
+
+TEST_F(OneSeatAlone, HasItsPracticeToWhereTheExerciseBeginsAtAnchor) {
+    exercise::ExerciseDef practice = def();
+    practice.settled = std::make_shared<const std::vector<std::uint8_t>>(
+        exercise::write_checkpoint(exercise::Exercise(practice)));
+    practice.tackle[0].at_anchor = 5; // as if that were what the prelude came to
+    put_to_practice(practice);
+    Session session(practice, options());
+    EXPECT_TRUE(session.assessor().lesson()->practice);
+    EXPECT_TRUE(text_of(session, "exercise.briefing").ends_with("it is no test of competence."));
 }
 
 TEST_F(OneSeatAlone, IsNotPutToPracticeWithoutALesson) {
