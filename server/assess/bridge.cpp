@@ -523,6 +523,9 @@ bool was_misunderstood(const Lesson& lesson, const State& state) {
 }
 
 std::string gave_up_words(const Lesson& lesson, const State& state) {
+    if (open_order(lesson, state) < 0 && state.question >= 0) // nothing else was left to wait for
+        return "the bridge had no answer to \"" +
+               exercise::order_words(static_cast<BridgeOrderCode>(state.question), lesson.side, 0) + '"';
     const int k = given_up(lesson, state);
     if (k < 0) return "the bridge heard nothing";
     const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;

@@ -500,7 +500,24 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look) {
     }
 }
 
-void take_report(const Criterion& criterion, Mark& mark, const Heard& report, const Look& look) {
+namespace {
+
+/// A report as a criterion takes it: who says that the cable is up and down, or at short stay, says how she
+/// leads.
+Heard as_asked(const Criterion& criterion, Heard report) {
+    using exercise::ReportCode;
+    if (criterion.kind != CriterionKind::report || criterion.report != ReportCode::lead) return report;
+    const bool up_and_down = report.code == ReportCode::up_and_down;
+    if (!up_and_down && report.code != ReportCode::short_stay) return report;
+    report.code = ReportCode::lead;
+    report.stay = up_and_down ? exercise::StayGiven::up_and_down : exercise::StayGiven::short_stay;
+    return report;
+}
+
+} // namespace
+
+void take_report(const Criterion& criterion, Mark& mark, const Heard& heard, const Look& look) {
+    const Heard report = as_asked(criterion, heard);
     if (criterion.kind != CriterionKind::report || !is_report(criterion, report.code)) return;
     if (report.side >= 0 && report.side != criterion.side) return;
     const bool before = criterion.from && mark.began < 0 && !look.holds(*criterion.from);
@@ -551,7 +568,8 @@ void take_report(const Criterion& criterion, Mark& mark, const Heard& report, co
         if (before) return; // of something else
         if (mark.worst_tick < 0 || figure.off > mark.worst)
             mark.worst = figure.off, mark.worst_tick = look.tick();
-        const JudgedReport one = judged_figure(criterion, report, figure, tackle);
+        JudgedReport one = judged_figure(criterion, report, figure, tackle);
+        one.code = heard.code; // by which the debriefing finds it
         judged(one);
         if (!criterion.orders.empty())
             return take_for_order(criterion, mark, one.milli,

@@ -244,6 +244,18 @@ TEST(Bridge, AsksWhatMenForwardWaitForWhoCannotGoOn) {
     EXPECT_GT(bridge.said.size(), 1U);
 }
 
+TEST(Bridge, ThatGaveUpOverAQuestionOfItsOwnSaysWhich) {
+    Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
+        {"id": "leading", "code": "how_leading", "when": {"time": 1}},
+        {"id": "secure", "code": "secure", "when": {"report": "brought_up"}}],
+      "criteria": [{"id": "o", "kind": "order", "orders": ["leading", "secure"]}], "end": {"time": 3000}})");
+    bridge.on(5);
+    bridge.report({.code = ReportCode::lead, .side = 0, .lead = 12});
+    bridge.on(600);
+    EXPECT_TRUE(bridge.now().finished);
+    EXPECT_EQ(bridge.now().abort, "the bridge had no answer to \"is she brought up?\"");
+}
+
 TEST(Bridge, AsksHimWhoHasNotAnsweredThoughAnotherHas) {
     Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
         {"id": "port", "code": "hold_on", "value": 4, "side": "port", "when": {"time": 1}},

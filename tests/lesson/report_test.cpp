@@ -182,6 +182,27 @@ TEST(Reports, OfTheStayAreRightInTheirClassAndNearItsBorders) {
         }
 }
 
+// The page offers both as answers to "how is the cable leading?", and they are the same words.
+TEST(Reports, ThatSheIsUpAndDownOrAtShortStaySayHowSheLeads) {
+    const struct {
+        ReportCode code;
+        StayGiven stay;
+    } rows[] = {{ReportCode::up_and_down, StayGiven::up_and_down},
+                {ReportCode::short_stay, StayGiven::short_stay}};
+    for (const auto& row : rows)
+        for (const double angle : {10.0, 40.0, 60.0, 85.0}) {
+            const auto leads = [&](Course& course) {
+                course.chain().top_angle = angle * 3.14159265358979323846 / 180;
+            };
+            EXPECT_EQ(figured("lead", {.code = row.code, .side = 0}, leads),
+                      figured("lead", {.code = ReportCode::lead, .side = 0, .stay = row.stay}, leads))
+                << angle << " deg";
+        }
+    EXPECT_EQ(figured("lead", {.code = ReportCode::up_and_down, .side = 0},
+                      [](Course& course) { course.chain().top_angle = 0.1; }),
+              0);
+}
+
 // Of Zcont, here 300 kN: none below 0.3, moderate to 1, much to 1.5, too much above.
 TEST(Reports, OfTheWeightAreRightInTheirClassAndWorthHalfInTheNext) {
     constexpr double kBorders[] = {90e3, 300e3, 450e3};
