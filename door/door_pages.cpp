@@ -48,7 +48,8 @@ Verdict DoorHost::file(const std::string& path, const Who& who) const {
     const auto mine = [&]() -> std::vector<std::string> {
         if (who.staff) {
             auto pages = gateway::role_of(seat_of(who.staff->rank), options_.exercise).pages;
-            pages.insert(pages.begin(), {"class", "people", "replay"});
+            pages.insert(pages.begin(), {"class", "replay"});
+            if (who.staff->rank == Rank::owner) pages.emplace_back("people");
             return pages;
         }
         if (who.trainee)

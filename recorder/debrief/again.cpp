@@ -1,5 +1,7 @@
 #include "recorder/debrief/again.hpp"
 
+#include "station/names.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -19,15 +21,25 @@ json lesson_of(const Attempt& attempt) {
     return file.is_object() ? file.value("lesson", json::object()) : json::object();
 }
 
+/// What the lesson says of one of its criteria or orders; an empty object: nothing.
+json entry(const json& lesson, const char* list, const std::string& id) {
+    const json all = lesson.value(list, json::array());
+    for (const json& each : all)
+        if (each.value("id", "") == id) return each;
+    return json::object();
+}
+
 /// s from its moment until a state was looked at, or had come about too late; 0: it was looked at at once.
 double time_for(const json& lesson, const Criterion& lost) {
-    const json all = lesson.value("criteria", json::array());
-    for (const json& each : all) {
-        if (each.value("id", "") != lost.code().to_string()) continue;
-        const double after = each.value("after", 0.0), zero = each.value("zero", after);
-        return after + (1 - lost.milli() / 1000.0) * (zero - after); // evenly down, as lessons are marked
-    }
-    return 0;
+    const json its = entry(lesson, "criteria", lost.code().to_string());
+    const double after = its.value("after", 0.0), zero = its.value("zero", after);
+    return after + (1 - lost.milli() / 1000.0) * (zero - after); // evenly down, as lessons are marked
+}
+
+/// The code of the order from which on a criterion is looked at; empty: the lesson names none.
+std::string order_of(const json& lesson, const Criterion& lost) {
+    const json from = entry(lesson, "criteria", lost.code().to_string()).value("from", json::object());
+    return entry(lesson, "orders", from.value("given", "")).value("code", "");
 }
 
 /// When a hand began to move levers for the last time before the loss; nothing: none did shortly before.
@@ -43,14 +55,14 @@ std::optional<double> hand_before(const Attempt& attempt, double loss) {
 }
 
 /// When the bridge gave the order that was its last before the loss, for the first time; nothing: it gave
-/// none. What is asked, said or taken back is none.
-std::optional<double> order_before(const Attempt& attempt, double loss) {
+/// none. What is asked, said or taken back is none. code: of that order alone; empty: of any.
+std::optional<double> order_before(const Attempt& attempt, double loss, const std::string& code = {}) {
     const BridgeOrder* last = nullptr;
     for (auto each = attempt.orders.rbegin(); each != attempt.orders.rend(); ++each) {
         const BridgeOrder& order = each->order;
         const bool to_do = order.repeat_by() > order.time() && order.code() != BRIDGE_ORDER_TEXT &&
                            order.code() != BRIDGE_ORDER_CANCEL && order.state() != ORDER_CANCELLED;
-        if (!to_do || order.time() > loss) continue;
+        if (!to_do || order.time() > loss || (!code.empty() && station::name(order.code()) != code)) continue;
         if (last != nullptr &&
             (order.code() != last->code() || order.side() != last->side() || order.value() != last->value()))
             break;
@@ -79,7 +91,9 @@ Before before_what(const Attempt& attempt, const Mark& mark) {
     const Criterion& lost = *mark.criterion;
     const json lesson = lesson_of(attempt);
     const auto order = [&] {
-        return or_loss(AgainBefore::order, order_before(attempt, mark.time), mark.time);
+        auto given = order_before(attempt, mark.time, order_of(lesson, lost));
+        if (!given) given = order_before(attempt, mark.time); // that which it waits for never came
+        return or_loss(AgainBefore::order, given, mark.time);
     };
     if (lost.lost_tick() == 0) return order(); // a must that the lesson never came to
     const bool never_so = lost.lost_tick() == lost.tick();

@@ -98,9 +98,9 @@ std::string results_part(const Class& of) {
         const Beside& one = of.all[i];
         const auto& marks = of.at(i).assessment;
         const std::string who = escaped(one.who),
-                          since = one.word
-                                      ? fmt::format("; set by {} since: {}", one.word->by, one.word->stands())
-                                      : "";
+                          since = one.word ? fmt::format("; set by {} since: {}: {}", one.word->by,
+                                                         one.word->stands(), one.word->note)
+                                           : "";
         std::vector<Cell> row{
             figure_cell(fmt::format("{}", i + 1)),
             {one.link.empty() ? who : fmt::format("<a href=\"{}\">{}</a>", escaped(one.link), who), false},
@@ -134,13 +134,16 @@ struct Row {
         return sum;
     }
     auto playing() const { return std::ranges::count_if(marks, in_play); }
+    /// In the mean of those in which it was in play; below 0: in none.
+    double lost_in_the_mean() const { return playing() == 0 ? -1 : lost() / static_cast<double>(playing()); }
 };
 
 bool whole(const Mark& mark) {
     return mark.lost <= 0;
 }
 bool in_part(const Mark& mark) {
-    return mark.lost > 0 && mark.lost < mark.points;
+    constexpr double kNone = 1e-9; // of its points
+    return mark.lost > 0 && mark.lost < (1 - kNone) * mark.points;
 }
 
 Cell mark_cell(const Mark* mark) {
@@ -180,8 +183,7 @@ std::string criteria_part(const Class& of) {
             row->marks[i] = &mark;
         }
     if (all.empty()) return section("criteria", "Criteria", "<p>Nothing was assessed.</p>\n");
-    std::ranges::stable_sort(all, std::greater{},
-                             [](const Row& row) { return std::pair(row.lost(), row.playing() > 0); });
+    std::ranges::stable_sort(all, std::greater{}, [](const Row& row) { return row.lost_in_the_mean(); });
     auto columns = of.columns("criterion");
     columns.insert(columns.end(), {"lost in the mean", "how it is spread"});
     std::vector<std::vector<Cell>> rows;
@@ -190,9 +192,7 @@ std::string criteria_part(const Class& of) {
             text_cell(title_of(*each.criterion) + (each.criterion->must() ? " (must)" : ""))};
         for (const Mark* mark : each.marks)
             row.push_back(mark_cell(mark));
-        row.push_back(figure_cell(
-            each.playing() == 0 ? ""
-                                : fmt::format("{:.1f}", each.lost() / static_cast<double>(each.playing()))));
+        row.push_back(figure_cell(each.playing() == 0 ? "" : fmt::format("{:.1f}", each.lost_in_the_mean())));
         row.push_back(spread_cell(each));
         rows.push_back(std::move(row));
     }

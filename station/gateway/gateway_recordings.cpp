@@ -189,7 +189,8 @@ bool Gateway::show(Reading& reading) {
 }
 
 std::string Gateway::replay(const std::string& recording) {
-    if (!options_.replays || !may_replay(options_.seat)) throw no_instructor("a replay");
+    if (!options_.replays || !may_replay(options_.seat))
+        throw Refused("", "", "a replay", "for an instructor or an assessor");
     return options_.replays->show(folder_of(recording));
 }
 

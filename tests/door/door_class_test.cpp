@@ -178,7 +178,7 @@ TEST_F(Class, OnAnAttemptAnAssessorHasAWordOnceTheHistoryHasIt) {
     EXPECT_THAT(debriefing, HasSubstr("<dt>Trainees</dt><dd>ben</dd>"));
     EXPECT_THAT(debriefing, HasSubstr("<dd>nobody moved a lever, ordered or reported</dd>"));
     EXPECT_THAT(assessor.get("/door/side_by_side?class=mon").body,
-                HasSubstr("; set by assessor since: 81.5 points, achieved"));
+                HasSubstr("; set by assessor since: 81.5 points, achieved: the load cell had failed"));
     EXPECT_THAT(assessor.get("/door/marks.csv?class=mon").body,
                 HasSubstr(",\"assessor\",81.5,achieved,\"the load cell had failed\""));
     EXPECT_THAT(audit(), HasSubstr("attempt.judged"));

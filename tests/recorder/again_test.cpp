@@ -88,6 +88,18 @@ TEST_F(LostAttempt, OfStepsThatWereNotTakenBeginsBeforeTheOrderForThem) {
     EXPECT_EQ(begins(), "loss 290");
 }
 
+TEST_F(LostAttempt, OfStepsOnAnOrderBeginsBeforeThatOrderWhateverCameSince) {
+    attempt_.lesson.json =
+        R"({"lesson": {"orders": [{"id": "home", "code": "heave"}, {"id": "s", "code": "secure"}],
+        "criteria": [{"id": "pay_out", "from": {"given": "s"}}]}})";
+    order(100, BRIDGE_ORDER_SECURE);
+    order(200, BRIDGE_ORDER_HEAVE);
+    lost(CRITERION_SEQUENCE, 300, 300);
+    EXPECT_EQ(begins(), "order 90");
+    attempt_.orders.erase(attempt_.orders.begin());
+    EXPECT_EQ(begins(), "order 190") << "it never came: that which was the last";
+}
+
 TEST_F(LostAttempt, OfWhatNeverWasSoBeginsBeforeTheLastOrderAndOfWhatWasBeforeTheHandThatEndedIt) {
     order(100, BRIDGE_ORDER_HOLD_ON, 6);
     moves({250});
