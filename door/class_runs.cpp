@@ -25,16 +25,20 @@ bool is_ready(const ClassroomExercise& exercise) {
     return exercise.state() == RUN_READY;
 }
 
-/// 0..100, of what is decided. In the score of a lesson that runs, what nobody has offended against yet
-/// counts as kept: a third of the points for a hand that has not moved.
-double decided_points(const Assessment& marks) {
-    double earned = 0, whole = 0;
+/// Of what is decided, points of 100 that the whole lesson has. In the score of a lesson that runs, what
+/// nobody has offended against yet counts as kept: a third of the points for a hand that has not moved.
+void mark_so_far(const Assessment& marks, Result& result) {
+    double kept = 0, lost = 0, whole = 0;
     for (const Criterion& one : marks.criteria()) {
-        if (!one.counts()) continue;
+        if (one.kind() == CRITERION_RUBRIC) continue; // an assessor's, once it is over
         whole += one.weight();
-        if (one.tick() != 0) earned += one.weight() * one.counted() / 1000.0;
+        if (one.tick() == 0 || !one.counts()) continue;
+        kept += one.weight() * one.counted() / 1000.0;
+        lost += one.weight() * (1000 - one.counted()) / 1000.0;
     }
-    return whole > 0 ? 100 * earned / whole : 0;
+    if (whole <= 0) return;
+    result.points = 100 * kept / whole;
+    result.lost = 100 * lost / whole;
 }
 
 } // namespace
@@ -112,7 +116,10 @@ Result ClassRuns::result(const std::string& exercise) const {
     for (const gateway::FramePtr& frame : desk->second->feed.kept(wire::topics::assessment)) {
         try {
             const auto heard = wire::decode<Assessment>(frame->payload);
-            result.points = heard.finished() ? heard.score() : decided_points(heard);
+            if (heard.finished())
+                result.points = heard.score();
+            else
+                mark_so_far(heard, result);
             result.outcome = heard.finished() && heard.practice() ? "practice" : heard.outcome().to_string();
         } catch (const std::exception&) {
             continue; // of a writer that is no server of ours

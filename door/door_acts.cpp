@@ -589,6 +589,7 @@ json DoorHost::class_told(const TrainingClass& told) {
                   {"time", 0},
                   {"recording", result.recording},
                   {"points", result.points ? json(*result.points) : json()},
+                  {"lost", result.lost ? json(*result.lost) : json()},
                   {"outcome", result.outcome},
                   {"trouble", runs_.trouble(exercise)}};
         const auto gives_up = runs_.gives_up(exercise);

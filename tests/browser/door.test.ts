@@ -180,7 +180,7 @@ test("the page of the class has a small picture of each forecastle", async () =>
   await owner.getByRole("button", { name: "CCTV off" }).click();
 });
 
-test("of a lesson that is over the class says so, and who has the marks there is not counted", async () => {
+test("of a lesson that is over the class says so, and who has the marks there is at the page", async () => {
   const second = owner.locator("[data-exercise]").nth(1);
   const its = new Rig(await second.getAttribute("data-exercise"));
   await its.say("stop", "--timeout", "20");
@@ -189,8 +189,8 @@ test("of a lesson that is over the class says so, and who has the marks there is
     /^lesson over, \d+ points, not shown/.test(await second.locator(".state").textContent()),
   );
   await eventually("she is there", async () => (await second.locator(".here").textContent()) === "here");
-  await eventually("two are at the page", async () =>
-    /3 of 4 seats taken, 2 at the page/.test(await owner.locator(".bar .said").textContent()),
+  await eventually("all three are at their pages", async () =>
+    /3 of 4 seats taken, 3 at the page/.test(await owner.locator(".bar .said").textContent()),
   );
   await look(owner, "class_lesson_over");
   hadNoProblems(late);

@@ -155,6 +155,8 @@ export interface ClassExercise {
   recording: string;
   /** 0..100; null: it is not marked. */
   points: number | null;
+  /** The same, while points are of what is decided so far; null: it is marked to the end, or not at all. */
+  lost: number | null;
   /** achieved, not_yet, not_shown; empty: not marked to the end. */
   outcome: string;
   /** s of exercise at which the lesson's bridge, which has asked in vain, gives up and ends it; null: it waits not. */

@@ -23,10 +23,10 @@ import { field, form } from "./form";
 import { t } from "../kit/language";
 
 /** In words: points, and what they mean once the lesson is over. */
-export function marksOf({ points, outcome }: ClassExercise): string {
+export function marksOf({ points, lost, outcome }: ClassExercise): string {
   if (points === null) return t("not marked");
   const whole = points.toFixed(0);
-  if (!outcome) return t("{points} points so far", { points: whole });
+  if (!outcome) return t("{points} points, {lost} lost so far", { points: whole, lost: (lost ?? 0).toFixed(0) });
   return t("{points} points, {outcome}", {
     points: whole,
     outcome: outcome === "practice" ? t("for practice") : outcomeSaid(outcome),

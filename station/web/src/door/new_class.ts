@@ -54,6 +54,7 @@ export function newClass(
     fixed = [];
     from = undefined;
     chosenCrew = undefined;
+    practice.checked = false; // for which the class before was
     lesson.disabled = practice.disabled = crew.disabled = false;
     setText(whose, "");
     void suit();

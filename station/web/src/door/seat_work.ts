@@ -15,11 +15,10 @@ export const isOver = ({ state, outcome }: ClassExercise): boolean =>
 /** How many there are. */
 export function standing({ exercises }: TrainingClass): string {
   const seats = exercises.flatMap((each) => each.seats);
-  const here = exercises.filter((each) => !isOver(each)).flatMap((each) => each.seats.filter((seat) => seat.here));
   return t("{taken} of {seats} seats taken, {here} at the page", {
     taken: seats.filter(({ name }) => name !== null).length,
     seats: seats.length,
-    here: here.length,
+    here: seats.filter(({ here }) => here).length,
   });
 }
 

@@ -34,8 +34,12 @@ export function inChosenUnits(text: string): string {
       const measure = of === "load" ? loads : of === "cable" ? cableSpeeds : undefined;
       if (measure?.unit.written === unit) return written;
       const si = (value: string): number => Number(value) * (unit === "kN" ? 1000 : 1);
-      const shown = (value: string): string =>
-        inEnglish(measure ? measure.figure(si(value)) : figure(knots(si(value)), knots(si(value)) < 9.95 ? 1 : 0));
+      /** Of small figures a tenth: what was 7.3 m/min, and 7.2 at most, is not "7, at most 7". */
+      const tenths = (value: number): string => figure(value, value < 9.95 ? 1 : 0);
+      const shown = (value: string): string => {
+        if (!measure) return inEnglish(tenths(knots(si(value))));
+        return inEnglish(measure.unit.written === "m/min" ? tenths(60 * si(value)) : measure.figure(si(value)));
+      };
       return `${shown(one)}${between ? between + shown(other) : ""} ${measure?.unit.written ?? "kn"}`;
     },
   );

@@ -21,6 +21,10 @@ test("the cable's speed is as on the counter, ship, wind and stream are in knots
     ),
     "wind north 16 kn, stream 0.6 kn to the south; cable not faster than 330 m/min in the fall and 180 m/min later",
   );
+  assert.equal(
+    inChosenUnits("cable's speed -0.122 m/s, at least -0.12 m/s"),
+    "cable's speed -7.3 m/min, at least -7.2 m/min",
+  );
   cableSpeeds.next();
   assert.equal(inChosenUnits("cable between 2 and 4 m/s"), "cable between 3.9 and 7.8 kn");
 });
