@@ -461,10 +461,11 @@ TEST(Roles, CoverTheTopicTable) {
         std::istringstream words(line.substr(0, line.find('#')));
         std::string role, partition, kind, topic;
         words >> role >> partition >> kind;
-        const bool seat = role == "trainee" || role == "forecastle" || role == "conning" || role == "watcher";
-        auto& table = partition == "classroom"                           ? classroom
-                      : seat && partition.starts_with("exercise/replay") ? debrief
-                                                                         : may;
+        const bool has_more = role == "trainee" || role == "forecastle" || role == "conning" ||
+                              role == "watcher" || role == "assessor"; // there than live
+        auto& table = partition == "classroom"                               ? classroom
+                      : has_more && partition.starts_with("exercise/replay") ? debrief
+                                                                             : may;
         while (words >> topic)
             EXPECT_TRUE(table[role + " " + kind].insert(topic).second) << "twice: " << line;
     }
@@ -480,6 +481,7 @@ TEST(Roles, CoverTheTopicTable) {
     EXPECT_EQ(may["instructor read"], all);
     from_server.insert("ReplayStatus");
     EXPECT_EQ(may["replay write"], from_server);
+    EXPECT_EQ(debrief["assessor write"], std::set<std::string>{"ReplayCommand"}) << "he seeks in a replay";
     for (const char* none : {"recorder write", "observer write", "visual write", "watcher write"})
         EXPECT_TRUE(may[none].empty()) << none;
     for (const char* topic : {"AnchorState", "ChainState", "WindlassLoad", "CableForce", "ShipState", "Event",
