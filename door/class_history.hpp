@@ -1,6 +1,6 @@
 #pragma once
-// What classes have to do with the history: their attempts go into it, and it tells what is to be practised
-// next.
+// What classes have to do with the history: their attempts and assessors' words on them go into it, and it
+// tells those words and what is to be practised next.
 
 #include "door/door_host.hpp"
 #include "recorder/debrief/page.hpp"

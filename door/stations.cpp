@@ -30,13 +30,11 @@ Stations::Stations(gateway::GatewayOptions instructor) : readers_{wire::Particip
     others_.exercise.clear();
     others_.log = instructor.log;
     others_.given = instructor.given;
-    instructor.replays = std::make_shared<gateway::Replays>(instructor.recorder,
-                                                            instructor.recorder_arguments, instructor.log);
-    others_.replays = instructor.replays;
     others_.recordings = instructor.recordings;
     others_.events_of = instructor.events_of;
     others_.past_of = instructor.past_of;
-    gateways_.try_emplace(Seat::instructor, std::move(instructor));
+    const auto made = gateways_.try_emplace(Seat::instructor, std::move(instructor)).first;
+    others_.replays = made->second.options().replays; // one for all
 }
 
 gateway::Gateway& Stations::of(Seat seat) {

@@ -152,8 +152,6 @@ double ordered_length(const BridgeOrder& order) {
 /// Since when as much cable as was ordered stood out, for the last time before another length was ordered;
 /// nothing: it never did.
 std::optional<double> paid_out(const Attempt& attempt, const BridgeOrder& order) {
-    constexpr double kAsOrdered = 0.25 * words::units::shackle; // m
-    constexpr double kStands = 0.1;                             // m/s
     constexpr double kFor = 15; // s: eased in steps, a cable stands for less in between
     const auto next = std::ranges::find_if(attempt.orders, [&](const GivenOrder& each) {
         return each.order.number() > order.number() && each.order.side() == order.side() &&
@@ -164,8 +162,8 @@ std::optional<double> paid_out(const Attempt& attempt, const BridgeOrder& order)
     for (const Truth& truth : attempt.sides[static_cast<std::size_t>(order.side())].truths) {
         if (truth.time < order.time()) continue;
         if (truth.time > until) break;
-        const bool so = std::abs(truth.cable_out - ordered_length(order)) <= kAsOrdered &&
-                        std::abs(truth.cable_speed) <= kStands;
+        const bool so = std::abs(truth.cable_out - ordered_length(order)) <= words::limits::cable_at_mark &&
+                        std::abs(truth.cable_speed) <= words::limits::cable_stands;
         if (!so) since.reset();
         if (so && !since) since = truth.time;
         if (since && truth.time >= *since + kFor) stood = since;

@@ -19,9 +19,9 @@ using exercise::ReportCode;
 
 constexpr double kEased = 0.85;   // of the hand-wheel: three quarters of a turn off, from where cable may run
 constexpr double kStopped = 0.05; // m/s, of the cable
-constexpr double kStands = 0.1;   // m/s, of a cable that is paid out, which creeps
-constexpr double kAtMark = 0.25;  // shackles beside the ordered ones: 7 m, as debriefings tell it (said.cpp)
-constexpr double kAtMetres = 1;   // m beside the ordered ones
+constexpr double kStands = words::limits::cable_stands; // m/s, of a cable that is paid out
+constexpr double kAtMark = words::limits::cable_at_mark / words::units::shackle; // shackles
+constexpr double kAtMetres = 1;                                                  // m beside the ordered ones
 constexpr double kSoon = 5; // s before levers are where a report has them, in which nobody tells it apart
 
 Bounds above(const char* quantity, double value) {

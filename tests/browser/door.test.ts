@@ -334,6 +334,8 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   assert.ok(await form.getByLabel("for practice, with hints").isChecked());
   assert.equal(await form.locator("select").first().inputValue(), "L01_let_go_25m");
   await look(owner, "class_next");
+  await on(owner, "New class").click();
+  assert.ok(!(await form.getByLabel("for practice, with hints").isChecked()), "it is somebody else's class");
   await tablet.locator("input[name=code]").waitFor();
   assert.match(await tablet.locator(".notice").textContent(), /^(The class is over|Die Klasse ist beendet)/);
   const first = (await owner.locator(".tabs button").first().textContent()).replace(", over", "");
