@@ -590,11 +590,13 @@ void Checks::look_at_alerts(const run::Session& session, const std::string& trou
     const exercise::Snapshot& seen = session.snapshot();
     must("watch.circle", -1, seen.outside_watch_circle);
     must("model.in_doubt", -1, seen.model_in_doubt);
-    for (const auto& tackle : seen.tackle)
+    for (const auto& tackle : seen.tackle) {
+        const int side = static_cast<int>(tackle.side);
+        if (!tackle.windlass.tripped) must("motor.trip", side, false);
         if (tackle.windlass.cable_speed > words::limits::cable_runaway ||
             tackle.windlass.cable_speed < words::limits::cable_fast)
-            must("cable.runaway", static_cast<int>(tackle.side),
-                 tackle.windlass.cable_speed > words::limits::cable_runaway);
+            must("cable.runaway", side, tackle.windlass.cable_speed > words::limits::cable_runaway);
+    }
 }
 
 } // namespace windlass::sim

@@ -262,6 +262,17 @@ std::string hints(const PageContext& page) {
            table("Hints that were given, each to its seat", {"time", "to", "hint", "criterion"}, rows);
 }
 
+/// How one gets to a key moment: by its time, which is a link; where nobody serves the page, by commands.
+std::string way_to_moments(const PageContext& page) {
+    if (page.options.links.kind != Links::Kind::none) return "<p>A time opens the replay there.</p>\n";
+    const double time = page.moments.front().time;
+    return fmt::format("<p>To look at one by hand, with a replay running: <code>recorder control seek "
+                       "{:.1f}</code>; to go on live from there: <code>instructor_console restore "
+                       "recordings/{}@{}</code> (here the first of them).</p>\n",
+                       page.attempt.position_of(time), escaped(page.attempt.origin.recording),
+                       escaped(station::clock(time)));
+}
+
 std::string criteria(const Attempt& attempt, const Judgement& judgement) {
     std::vector<std::vector<Cell>> rows;
     for (const Mark& mark : judgement.marks) {
@@ -346,26 +357,15 @@ std::string moments_part(const PageContext& page) {
     std::string html = "<section aria-labelledby=\"moments\">\n<h2 id=\"moments\">Key moments</h2>\n";
     if (page.moments.empty()) return html + "<p>There are none.</p>\n</section>\n";
     std::vector<std::vector<Cell>> rows;
-    const std::string& recording = page.attempt.origin.recording;
     for (std::size_t i = 0; i < page.moments.size(); ++i) {
         const Moment& moment = page.moments[i];
         rows.push_back({figure_cell(fmt::format("{}", i + 1)), html_cell(time_link(page, moment.time)),
                         text_cell(moment.what),
                         figure_cell(fmt::format("{:.1f}", page.attempt.position_of(moment.time)))});
     }
-    const Moment& first = page.moments.front();
     html += table("The numbers are those of the flags in the plots",
                   {"no.", "time", "what", "s of the recording"}, rows);
-    html += fmt::format("<p>{} To look at one by hand, with a replay running: <code>recorder control seek "
-                        "{:.1f}</code>; to go on "
-                        "live from there: <code>instructor_console restore recordings/{}@{}</code> (here the "
-                        "first of them).</p>\n",
-                        page.options.links.kind == Links::Kind::none
-                            ? ""
-                            : "A time opens the replay there, in the instructor&#39;s station.",
-                        page.attempt.position_of(first.time), escaped(recording),
-                        escaped(station::clock(first.time)));
-    return html + "</section>\n";
+    return html + way_to_moments(page) + "</section>\n";
 }
 
 } // namespace windlass::debrief

@@ -1,11 +1,11 @@
 #include "server/assess/bridge.hpp"
 
-#include "server/assess/marks.hpp"
 #include "server/assess/order_done.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/exercise/talk/bridge_orders.hpp"
 #include "server/exercise/talk/talk.hpp"
 #include "server/physics/base/units.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,8 @@ using exercise::BridgeOrderCode;
 using exercise::BridgeOrderGiven;
 using exercise::ReportCode;
 
-constexpr int kMostAsked = 3;       // how often it asks or gives an order once more; then it gives up
+// How often it asks or gives an order once more; then it gives up.
+constexpr auto kMostAsked = static_cast<int>(words::limits::bridge_asks);
 constexpr double kCorrects = 2;     // s after a wrong repeat
 constexpr double kWaitsRepeat = 5;  // s after a repeat should have come
 constexpr double kWaitsAnswer = 30; // s after an order should have been carried out, and since the last word
@@ -89,6 +90,11 @@ bool answers(const BridgeOrderGiven& order, ReportCode report) {
     default:
         return false;
     }
+}
+
+/// The question of its own that it asked last, which is one.
+BridgeOrderGiven asked_last(const State& state) {
+    return {.code = static_cast<BridgeOrderCode>(state.question)};
 }
 
 /// What the bridge asks when it has heard nothing of what it waits for.
@@ -444,7 +450,9 @@ bool answered_by_repeat(const BridgeOrderGiven& order) {
     }
 }
 
-void take_answer(const Lesson& lesson, State& state, const Heard& report) {
+void take_answer(const Heard& report, const Look& look) {
+    const Lesson& lesson = look.lesson;
+    State& state = look.state;
     state.heard_at = state.tick;
     if (report.code == ReportCode::unsafe) {
         if (const int k = called_unsafe(lesson, state, report); k >= 0) {
@@ -459,7 +467,8 @@ void take_answer(const Lesson& lesson, State& state, const Heard& report) {
         for (int side = 0; side < 2; ++side)
             if (report.side < 0 || report.side == side)
                 state.told.at(static_cast<std::size_t>(side)) = in_the_pipe(report);
-    if (state.question >= 0 && answers({.code = static_cast<BridgeOrderCode>(state.question)}, report.code)) {
+    // What is not so is no answer: the bridge has it looked at, by its camera or by a man sent forward.
+    if (state.question >= 0 && answers(asked_last(state), report.code) && !is_false(report, look)) {
         state.question = -1;
         state.asked = 0;
     }
@@ -522,7 +531,28 @@ bool was_misunderstood(const Lesson& lesson, const State& state) {
     return course.repeated < 0 && course.wrong_now;
 }
 
+bool was_told_falsely(const Lesson& lesson, const State& state) {
+    if (!state.gave_up || state.question < 0 || was_misunderstood(lesson, state)) return false;
+    // Of an order that is open it asks nothing but how much is out.
+    const int open = open_order(lesson, state);
+    const bool is_asked = open < 0 || (asked_last(state).code == BridgeOrderCode::how_much &&
+                                       of_length(lesson.orders[static_cast<std::size_t>(open)].given));
+    if (!is_asked) return false;
+    const auto falsely = [&](const std::vector<JudgedReport>& reports, const std::vector<Criterion>& of) {
+        return std::ranges::any_of(reports, [&](const JudgedReport& report) {
+            const ReportCode code = report.code != ReportCode::text
+                                        ? report.code
+                                        : of[static_cast<std::size_t>(report.criterion)].report;
+            return report.milli == 0 && report.tick >= state.spoke_at && answers(asked_last(state), code);
+        });
+    };
+    return falsely(state.judged, lesson.criteria) || falsely(state.unasked, lesson.unasked);
+}
+
 std::string gave_up_words(const Lesson& lesson, const State& state) {
+    if (was_told_falsely(lesson, state))
+        return "the bridge was told what is not so when it asked \"" +
+               exercise::order_words(asked_last(state).code, lesson.side, 0) + '"';
     if (open_order(lesson, state) < 0 && state.question >= 0) // nothing else was left to wait for
         return "the bridge had no answer to \"" +
                exercise::order_words(static_cast<BridgeOrderCode>(state.question), lesson.side, 0) + '"';

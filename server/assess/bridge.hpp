@@ -2,17 +2,17 @@
 // The bridge of a lesson: it gives the orders, and goes by what it hears and what a bridge can know. It has a
 // wrong repeat put right, asks when it hears nothing, renews an order that was not carried out in full, does
 // not order what is reported done, takes back what is rightly called unsafe, and gives up when nobody
-// answers.
+// answers, or nobody truly.
 
-#include "server/assess/fold.hpp"
+#include "server/assess/marks.hpp"
 
 namespace windlass::assess {
 
 /// Whether a bridge takes the repeat of an order for its answer, since no report tells that it is done.
 bool answered_by_repeat(const exercise::BridgeOrderGiven& order);
 
-/// Takes a report for the answer that it may be to the orders that have been given.
-void take_answer(const Lesson& lesson, State& state, const Heard& report);
+/// Takes a report for the answer that it may be to the orders that have been given, and to what was asked.
+void take_answer(const Heard& report, const Look& look);
 
 /// What the bridge says now, put behind `due`. false: it has asked as often as it does, and gives up.
 bool speak(const Lesson& lesson, State& state, const exercise::Snapshot& seen, int tick_rate,
@@ -24,6 +24,9 @@ std::int64_t gives_up_at(const Lesson& lesson, const State& state, int tick_rate
 
 /// Whether it gave up over an order that was repeated back wrongly to the last: it did have an answer.
 bool was_misunderstood(const Lesson& lesson, const State& state);
+
+/// Whether it gave up over a question of its own that was answered to the last, and not by what is so.
+bool was_told_falsely(const Lesson& lesson, const State& state);
 
 /// What it waited for in vain when it gave up: "no answer to \"pay out, port, 3 shackles in the pipe\"".
 std::string gave_up_words(const Lesson& lesson, const State& state);

@@ -420,7 +420,7 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
     watch_reports(lesson, state);
     watch_orders(lesson, state, seen, tick_rate);
     for (const Heard& report : state.heard)
-        take_answer(lesson, state, report);
+        take_answer(report, look);
     for (std::size_t k = 0; k < lesson.moments.size(); ++k)
         if (state.moments[k].first < 0 && look.holds(lesson.moments[k].when))
             note(state.moments[k], state.tick);

@@ -42,6 +42,11 @@ bool Growth::lately(Growing said) const {
     return std::any_of(was_.begin(), was_.end(), [&](unsigned was) { return (was & bit(said)) != 0; });
 }
 
+bool Growth::nearly(Growing said) const {
+    const bool is_next_to_all = said == Growing::growing || said == Growing::not_given;
+    return is_next_to_all || lately(said) || lately(Growing::growing);
+}
+
 template <class Visitor, physics::StateOf<Growth> Self>
 void visit_state(Visitor& v, Self& self) {
     WINDLASS_STATE(v, self.ticks_, self.sum_, self.seconds_);

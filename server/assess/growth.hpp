@@ -19,6 +19,9 @@ public:
     /// Whether the cable has been so within the last ten seconds.
     bool lately(exercise::Growing said) const;
 
+    /// Whether that word for it is worth anything: it has been so lately, or the word next to it has.
+    bool nearly(exercise::Growing said) const;
+
     /// N/s, from the second before to the last one that is over.
     double rise() const { return seconds_ < 2 ? 0 : tension_[0] - tension_[1]; }
 

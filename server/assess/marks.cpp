@@ -502,11 +502,9 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look) {
 
 namespace {
 
-/// A report as a criterion takes it: who says that the cable is up and down, or at short stay, says how she
-/// leads.
-Heard as_asked(const Criterion& criterion, Heard report) {
+/// Who says that the cable is up and down, or at short stay, says how she leads.
+Heard as_lead(Heard report) {
     using exercise::ReportCode;
-    if (criterion.kind != CriterionKind::report || criterion.report != ReportCode::lead) return report;
     const bool up_and_down = report.code == ReportCode::up_and_down;
     if (!up_and_down && report.code != ReportCode::short_stay) return report;
     report.code = ReportCode::lead;
@@ -514,7 +512,26 @@ Heard as_asked(const Criterion& criterion, Heard report) {
     return report;
 }
 
+/// A report as a criterion takes it.
+Heard as_asked(const Criterion& criterion, const Heard& report) {
+    const bool is_of_lead =
+        criterion.kind == CriterionKind::report && criterion.report == exercise::ReportCode::lead;
+    return is_of_lead ? as_lead(report) : report;
+}
+
 } // namespace
+
+bool is_false(const Heard& heard, const Look& look) {
+    if (heard.side < 0 && look.lesson.two_sides) return false; // of which of the two he speaks nobody knows
+    const int side = heard.side < 0 ? look.lesson.side : heard.side;
+    const exercise::TackleView* tackle = tackle_of(look.seen, side);
+    if (tackle == nullptr) return false;
+    if (heard.code == exercise::ReportCode::growing)
+        return !look.state.growth.at(static_cast<std::size_t>(side)).nearly(heard.growing);
+    const Heard report = as_lead(heard);
+    const double half_off = words::row_of(report.code).half_off;
+    return half_off > 0 && truth_of(report, *tackle, look.lesson).off > half_off;
+}
 
 void take_report(const Criterion& criterion, Mark& mark, const Heard& heard, const Look& look) {
     const Heard report = as_asked(criterion, heard);

@@ -175,12 +175,12 @@ struct State {
     int last_order = 0;    ///< number of the newest BridgeOrder that was looked at
     int changes = 0;       ///< entries of the schedule carried out
     int renewing = -1;     ///< place of the order that the bridge gives once more at this tick; -1: none
-    int asked = 0;         ///< how often the bridge has asked since it went on
-    bool gave_up = false;  ///< the bridge asked as often as it does, and had no answer
+    int asked = 0;         ///< how often the bridge has asked since it went on, or had a true answer
+    bool gave_up = false;  ///< the bridge asked as often as it does, and had no answer that is so
     std::int64_t seed = 0; ///< of this attempt's chances; 0: nothing is left to chance
     int own_due = 0;       ///< faults and changes of the weather that it has ordered, and not heard go in yet
     bool intervened = false;                   ///< others went in, by an instructor
-    int question = -1;                         ///< BridgeOrderCode that it asked last; -1: none
+    int question = -1;                         ///< BridgeOrderCode that it asked last; -1: it was answered
     std::int64_t heard_at = -1, spoke_at = -1; ///< ticks of the last words of forecastle and bridge
     std::array<double, 2> told{-1, -1};        ///< shackles in the pipe as last reported; -1: never
     bool confirmed = false;

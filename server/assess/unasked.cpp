@@ -77,12 +77,8 @@ bool is_asked_for(const Lesson& lesson, ReportCode code, int side) {
 }
 
 bool is_so(const Criterion& criterion, const JudgedReport& report, const Look& look) {
-    using exercise::Growing;
     if (criterion.truth != ReportTruth::growth) return look.holds(criterion.that);
-    const Growth& growth = look.state.growth.at(static_cast<std::size_t>(criterion.side));
-    // The word next to it is half right.
-    return growth.lately(report.growing) || growth.lately(Growing::growing) ||
-           report.growing == Growing::growing || report.growing == Growing::not_given;
+    return look.state.growth.at(static_cast<std::size_t>(criterion.side)).nearly(report.growing);
 }
 
 void keep(const JudgedReport& report, State& state) {

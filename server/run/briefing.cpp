@@ -64,6 +64,8 @@ std::string lesson_over_text(const assess::Lesson& lesson, const assess::State& 
     case assess::Ending::time:
         if (assess::was_misunderstood(lesson, state))
             return "the lesson is over: an order was repeated back wrongly to the last";
+        if (assess::was_told_falsely(lesson, state))
+            return "the lesson is over: the bridge was told what is not so";
         return state.gave_up ? "the lesson is over: the bridge had no answer"
                              : "the lesson is over: its time is up";
     case assess::Ending::abort:

@@ -376,6 +376,7 @@ bool Session::tick(bool show) {
     keep_events();
     watch_the_circle();
     watch_for_a_runaway();
+    watch_the_motors();
     watch_the_foreign_ship();
     watch_the_model();
     assess();

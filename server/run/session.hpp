@@ -207,6 +207,7 @@ private:
     void keep_events();
     void watch_the_circle();
     void watch_for_a_runaway();
+    void watch_the_motors();
     void watch_the_foreign_ship();
     void watch_the_model();
     void log(words::EventCode code, std::string text, int side = -1, double value = 0);
@@ -256,6 +257,7 @@ private:
     std::uint64_t orders_taken_ = 0;               // of this run
     bool outside_watch_circle_ = false;            // an alert says so
     bool model_in_doubt_ = false;                  // an alert says so
+    std::array<bool, 2> motor_tripped_{};          // port, starboard: an alert says so
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
     double now_ = 0;         // wall time of the orders being carried out

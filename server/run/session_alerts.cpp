@@ -5,11 +5,15 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <string_view>
+#include <utility>
+
 namespace windlass::run {
 
 namespace {
 
 constexpr const char* kRunaway = "cable.runaway";
+constexpr const char* kMotorTripped = "motor.trip";
 constexpr const char* kWatchCircle = "watch.circle";
 constexpr const char* kOwnShipLost = "own_ship.lost";
 constexpr const char* kModelInDoubt = "model.in_doubt";
@@ -54,6 +58,22 @@ void Session::watch_for_a_runaway() {
     for (const auto& tackle : snapshot_.tackle)
         if (tackle.windlass.cable_speed < words::limits::cable_fast)
             alerts_.rectify(kRunaway, static_cast<int>(tackle.side), tick_, time_);
+}
+
+/// A windlass motor that its protection has cut off, until the trip lamp is dark: reset, it runs again. That
+/// lamp is lit by an emergency stop and a lost supply, too, which are no trips.
+void Session::watch_the_motors() {
+    for (const auto& event : snapshot_.events) {
+        const std::string_view code = event.code;
+        if (code != "motor.overload_trip" && code != "motor.overspeed_trip") continue;
+        if (std::exchange(motor_tripped_.at(static_cast<std::size_t>(event.side)), true)) continue;
+        alerts_.raise(alert(kMotorTripped, event.side, 0));
+    }
+    for (const auto& tackle : snapshot_.tackle) {
+        bool& tripped = motor_tripped_.at(static_cast<std::size_t>(tackle.side));
+        if (tackle.windlass.tripped || !std::exchange(tripped, false)) continue;
+        alerts_.rectify(kMotorTripped, static_cast<int>(tackle.side), tick_, time_);
+    }
 }
 
 /// A foreign ship model that falls silent leaves the ship adrift: somebody must take the helm.

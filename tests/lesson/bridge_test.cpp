@@ -256,6 +256,78 @@ TEST(Bridge, ThatGaveUpOverAQuestionOfItsOwnSaysWhich) {
     EXPECT_EQ(bridge.now().abort, "the bridge had no answer to \"is she brought up?\"");
 }
 
+namespace {
+
+/// What comes next hangs on a report for which the bridge has no question: it asks how much cable is out.
+const std::string kWaitsToSecure = R"({"id": "T", "patience": 60, "orders": [
+    {"id": "clear", "code": "stand_clear", "when": {"time": 1}},
+    {"id": "secure", "code": "secure", "when": {"report": "clear_anchor"}}],
+  "criteria": [{"id": "o", "kind": "order", "orders": ["clear", "secure"]}], "end": {"time": 3000}})";
+
+} // namespace
+
+// As long as of silence: a word that is not so puts off no more than the time at which he says it.
+TEST(Bridge, TakesWhatIsNotSoForNoAnswerAndGivesUp) {
+    Bridge bridge(kWaitsToSecure);
+    bridge.chain().cable_out = 60;
+    for (std::size_t asked = 1; asked <= 3; ++asked) {
+        bridge.on(62);
+        ASSERT_EQ(bridge.said.size(), 1 + asked);
+        EXPECT_EQ(bridge.said.back().code, BridgeOrderCode::how_much);
+        bridge.report(ReportCode::shackles_in_pipe, 1); // two and more are out
+    }
+    EXPECT_FALSE(bridge.now().finished);
+    bridge.on(62);
+    ASSERT_TRUE(bridge.now().finished);
+    EXPECT_EQ(bridge.now().ending, Ending::time);
+    EXPECT_EQ(bridge.now().abort,
+              "the bridge was told what is not so when it asked \"how much port cable is out?\"");
+    EXPECT_TRUE(was_told_falsely(bridge.taught(), bridge.state()));
+}
+
+TEST(Bridge, IsContentWithAWordThatPutsAFalseOneRight) {
+    Bridge bridge(kWaitsToSecure);
+    bridge.chain().cable_out = 60;
+    for (int round = 0; round < 4; ++round) {
+        bridge.on(62);
+        bridge.report(ReportCode::shackles_in_pipe, 1);
+        bridge.on(5);
+        EXPECT_EQ(bridge.state().asked, 1) << "as if he had said nothing";
+        bridge.report(ReportCode::shackles_in_pipe, 2.2);
+        bridge.on(1);
+        EXPECT_EQ(bridge.state().asked, 0);
+    }
+    EXPECT_FALSE(bridge.now().finished);
+}
+
+// He lied once and fell silent: in the end it waits for an answer, and there is none.
+TEST(Bridge, ThatHadNoAnswerInTheEndWasNotToldWhatIsNotSo) {
+    Bridge bridge(kWaitsToSecure);
+    bridge.chain().cable_out = 60;
+    bridge.on(62);
+    bridge.report(ReportCode::shackles_in_pipe, 1);
+    bridge.on(600);
+    ASSERT_TRUE(bridge.now().finished);
+    EXPECT_EQ(bridge.now().abort, "the bridge had no answer to \"how much port cable is out?\"");
+    EXPECT_FALSE(was_told_falsely(bridge.taught(), bridge.state()));
+}
+
+// What is short of the order is ordered again, and asked for again, only so often as he who tells it lies.
+TEST(Bridge, GivesUpOnHimWhoTellsOfLessThanIsOut) {
+    Bridge bridge(kPayOut);
+    bridge.chain().cable_out = 3 * 27.5;
+    std::size_t heard = 0;
+    for (int k = 0; k < 600 && !bridge.now().finished; ++k) {
+        bridge.on(1);
+        if (bridge.said.size() == heard) continue;
+        heard = bridge.said.size();
+        if (bridge.said.back().code == BridgeOrderCode::how_much)
+            bridge.report(ReportCode::shackles_in_pipe, 1);
+    }
+    EXPECT_TRUE(bridge.now().finished);
+    EXPECT_LE(bridge.said.size(), 4U);
+}
+
 TEST(Bridge, AsksHimWhoHasNotAnsweredThoughAnotherHas) {
     Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
         {"id": "port", "code": "hold_on", "value": 4, "side": "port", "when": {"time": 1}},

@@ -47,7 +47,7 @@ TEST(Events, TheTruthIsNotNoticed) {
 }
 
 TEST(Events, TheAnchorIsNoticedWhereItIsAboveTheWater) {
-    for (const char* code : {"anchor.aweigh", "anchor.fouled", "anchor.flukes_inboard"}) {
+    for (const char* code : {"anchor.acockbill", "anchor.aweigh", "anchor.fouled", "anchor.flukes_inboard"}) {
         EXPECT_FALSE(perceive_event(event(code), riding())) << code;
         const auto seen = perceive_event(event(code), weighing());
         ASSERT_TRUE(seen) << code;
@@ -60,7 +60,7 @@ TEST(Events, TheAnchorIsNoticedWhereItIsAboveTheWater) {
 }
 
 TEST(Events, CarryWhatIsNoticedAndNoMore) {
-    const auto shackle = perceive_event(event("cable.shackle", "3 shackles out"), riding());
+    const auto shackle = perceive_event(event("cable.shackle", "3 shackles in the pipe"), riding());
     ASSERT_TRUE(shackle);
     EXPECT_EQ(shackle->tick(), 300U);
     EXPECT_EQ(shackle->time(), 1);
@@ -69,7 +69,7 @@ TEST(Events, CarryWhatIsNoticedAndNoMore) {
     EXPECT_EQ(shackle->code(), "cable.shackle");
     EXPECT_EQ(shackle->side(), 0);
     EXPECT_EQ(shackle->value(), 42);
-    EXPECT_EQ(shackle->text(), "3 shackles out");
+    EXPECT_EQ(shackle->text(), "3 shackles in the pipe");
 
     const auto hot = perceive_event(event("brake.hot"), riding());
     ASSERT_TRUE(hot);

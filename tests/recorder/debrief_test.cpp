@@ -776,8 +776,13 @@ TEST(DebriefTest, MomentsLeadToThePlaceInTheRecording) {
     const std::string served =
         page_of(attempt, {.links = {.kind = Links::Kind::beside, .station = {}, .token = {}}, .over = {}});
     EXPECT_THAT(served, HasSubstr("href=\"/replay?recording=monday&amp;t=34.0\""));
-    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("href=")))
-        << "nobody serves it: no link that leads nowhere";
+    EXPECT_THAT(served, HasSubstr("A time opens the replay there."));
+    EXPECT_THAT(served, Not(HasSubstr("recorder control")))
+        << "who reads it in a browser goes there by its links, and has no terminal";
+    const std::string alone = page_of(attempt, {});
+    EXPECT_THAT(alone, Not(HasSubstr("href="))) << "nobody serves it: no link that leads nowhere";
+    EXPECT_THAT(alone, HasSubstr("<code>recorder control seek "));
+    EXPECT_THAT(alone, HasSubstr("<code>instructor_console restore recordings/monday@"));
 }
 
 TEST(DebriefTest, LinksTakeTheAddressThatAStationPrints) {

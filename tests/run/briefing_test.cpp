@@ -232,6 +232,25 @@ TEST_F(EndOfALesson, OverAnOrderThatWasRepeatedWronglyIsNoWantOfAnAnswer) {
               "the lesson is over: an order was repeated back wrongly to the last");
 }
 
+TEST_F(EndOfALesson, OverAQuestionThatWasAnsweredFalselyToTheLastIsNoWantOfAnAnswer) {
+    exercise::ExerciseDef lied;
+    lied.lesson = R"({"id": "T", "patience": 1,
+      "criteria": [{"id": "p", "kind": "prohibited", "that": {"clutch": "in"}}],
+      "end": {"good": {"report": "clear_anchor"}}})";
+    Session session(lied, options());
+    int answered = 0;
+    for (int looks = 0; looks < 100 && count(session, "lesson.over") == 0; ++looks) {
+        run(session, lied.tick_rate_hz / 10);
+        if (count(session, "order.given") == answered) continue;
+        ++answered; // how much cable is out? He does not look
+        give(session, exercise::Order{exercise::ReportMade{
+                          .code = exercise::ReportCode::shackles_in_pipe, .side = 0, .value = 9}});
+    }
+    EXPECT_EQ(answered, 3);
+    EXPECT_EQ(count(session, "assessment.answered"), 0);
+    EXPECT_EQ(text_of(session, "lesson.over"), "the lesson is over: the bridge was told what is not so");
+}
+
 TEST_F(EndOfALesson, IsToldWhenAnAssessorEndsItOrTheExerciseIsEnded) {
     Session confirmed(def(), options());
     give(confirmed, exercise::Order{exercise::AssessorsWord{

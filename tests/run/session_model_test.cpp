@@ -1,4 +1,4 @@
-// What a session says of the model's own steps, and of a cable that runs away.
+// What a session says of the model's own steps, of a cable that runs away, and of a motor that has tripped.
 
 #include "tests/run/session_rig.hpp"
 
@@ -54,6 +54,45 @@ TEST_F(SessionTest, ARunawayIsAnAlarmOnDeckUntilTheCableIsSlow) {
     ASSERT_NE(alert(), nullptr);
     EXPECT_EQ(alert()->condition, AlertCondition::rectified_unacknowledged);
     EXPECT_LT(session.snapshot().tackle[0].windlass.cable_speed, 5);
+}
+
+TEST_F(SessionTest, ATrippedMotorIsAnAlarmOnDeckUntilItIsReset) {
+    const exercise::ExerciseDef def;
+    Session session(def, options());
+    const auto work = [&](const exercise::WindlassOrder& levers) {
+        session.clear_news();
+        give(session, exercise::Order{levers}, 0, "trainee-1");
+        for (int k = 0; k < def.tick_rate_hz; ++k)
+            ASSERT_TRUE(session.tick());
+    };
+    const auto alert = [&]() -> const AlertView* {
+        for (const AlertView& each : session.alerts())
+            if (each.code == "motor.trip") return &each;
+        return nullptr;
+    };
+    const auto lamp = [&] { return session.snapshot().tackle[0].windlass.tripped; };
+    work({.speed_lever = 0.5, .emergency_stop = true}); // out of gear it would run light
+    EXPECT_TRUE(lamp());
+    EXPECT_EQ(alert(), nullptr) << "who stops it himself is not told that it has stopped";
+    work({.speed_lever = 0});
+    work({.speed_lever = 0.5});
+    ASSERT_FALSE(lamp());
+
+    give(session, exercise::Order{exercise::FaultOrder{.code = exercise::FaultCode::drive_trip}});
+    work({.speed_lever = 0.5});
+    ASSERT_NE(alert(), nullptr);
+    EXPECT_EQ(alert()->condition, AlertCondition::active_unacknowledged);
+    EXPECT_EQ(alert()->side, 0);
+    EXPECT_EQ(alert()->priority, AlertPriority::alarm);
+    EXPECT_EQ(alert()->text, "Windlass motor has tripped");
+    EXPECT_TRUE(alert()->deck_panel);
+    EXPECT_FALSE(alert()->bridge_panel); // there it is reported
+    work({.speed_lever = 0.5});
+    EXPECT_EQ(alert(), nullptr) << "it is told once";
+    work({.speed_lever = 0});
+    ASSERT_NE(alert(), nullptr);
+    EXPECT_EQ(alert()->condition, AlertCondition::rectified_unacknowledged);
+    EXPECT_FALSE(lamp());
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // The anchor in its hawse pipe, as the forecastle sees it.
 
 #include "rigs/drill.hpp"
+#include "server/physics/windlass/chain_counter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +58,9 @@ TEST(AnchorHome, WalkedBackIsACockbillAndHoveInIsHomeAgain) {
     drill.speed_lever(0.5);
     EXPECT_TRUE(drill.run_until_event("anchor.housed", 60));
     EXPECT_LT(drill.chain().cable_out, -2.5);
+    // The counter was set to the cable outboard of the lip: with the shackle up the pipe it is below zero.
+    const double pulse = physics::counter_pulse(drill.exercise().def().tackle[0].chain.diameter);
+    EXPECT_NEAR(drill.windlass().cable_out_indicated, drill.chain().cable_out, pulse);
 }
 
 } // namespace

@@ -76,6 +76,17 @@ TEST(Outputs, EachMarkIsCalledOnceAsItComesIn) {
     for (const ExerciseEvent& event : drill.log())
         if (event.code == "cable.shackle") called.push_back(event.value);
     EXPECT_EQ(called, (std::vector<double>{2, 1}));
+    // By then it lies on deck, between lip and windlass; the counter shows less than that many shackles.
+    EXPECT_EQ(drill.first("cable.shackle")->text, "2 shackles on deck, heaving");
+}
+
+TEST(Outputs, EachMarkIsCalledInThePipeAsItGoesOut) {
+    Drill drill(quiet_def(100, 25));
+    drill.run(1);
+    drill.brake(0);
+    ASSERT_TRUE(drill.run_until_event("cable.shackle", 10));
+    EXPECT_EQ(drill.first("cable.shackle")->text, "1 shackle in the pipe");
+    EXPECT_NEAR(drill.chain().cable_out, physics::kShackleLength, 0.2); // a tick of running cable
 }
 
 } // namespace windlass::exercise

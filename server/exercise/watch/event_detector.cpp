@@ -169,16 +169,18 @@ void EventDetector::call_cable(const physics::GroundTackle& tackle, const EventL
         set(run_, Run::away, false);
     }
     const double out = physics::shackles_from_metres(windlass.cable_out);
-    // A quarter of a shackle of play, so that a cable working at a mark is called once. shackles_ are those
-    // that are out in full; the mark that comes in is the next one.
+    // A quarter of a shackle of play, so that a cable working at a mark is called once: going out, a mark is
+    // called at the lip, coming in once it has come as far as the windlass. shackles_ are those that are out
+    // in full; the mark that comes in is the next one.
     if (out >= shackles_ + 1) {
         shackles_ = static_cast<int>(out);
         log("cable.shackle", side_, shackles_,
-            text(shackles_ == 1 ? "%.0f shackle out" : "%.0f shackles out", shackles_));
+            text(shackles_ == 1 ? "%.0f shackle in the pipe" : "%.0f shackles in the pipe", shackles_));
     } else if (out < shackles_ - 0.25) {
         shackles_ = static_cast<int>(out);
         log("cable.shackle", side_, shackles_ + 1,
-            text(shackles_ == 0 ? "%.0f shackle out, heaving" : "%.0f shackles out, heaving", shackles_ + 1));
+            text(shackles_ == 0 ? "%.0f shackle on deck, heaving" : "%.0f shackles on deck, heaving",
+                 shackles_ + 1));
     }
     on_rise(end_, windlass.cable_out >= tackle.bitter_end() && !windlass.chain_gone,
             [&] { log("cable.bitter_end", side_, tackle.windlass().loads().deck.bitter_end); });

@@ -30,7 +30,12 @@ const noHint = [
 export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   ...(Object.fromEntries(ofOrders) as Record<string, string[]>),
   "assessment.unanswered": ["the bridge asks again: if it hears nothing it gives up at {0} s, and the lesson ends"],
-  "cable.shackle": ["{0} shackle out, heaving", "{0} shackles out, heaving", "{0} shackle out", "{0} shackles out"],
+  "cable.shackle": [
+    "{0} shackle on deck, heaving",
+    "{0} shackles on deck, heaving",
+    "{0} shackle in the pipe",
+    "{0} shackles in the pipe",
+  ],
   "cable.turns": ["{0} turns in the cable: links no longer lie fair"],
   "clutch.refused": [
     "clutch is loaded and does not come out",

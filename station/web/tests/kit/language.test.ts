@@ -32,7 +32,7 @@ const kTranslated = [
   ["speed lever at zero; brake, clutch and stopper as they were", "the helm's levers stay as they are"],
   ["the lesson is over: it has run its course", "the lesson is over: its time is up"],
   ["the lesson is over: what has happened ends it", "the lesson is over: it was ended"],
-  ["the lesson is over: the bridge had no answer"],
+  ["the lesson is over: the bridge had no answer", "the lesson is over: the bridge was told what is not so"],
   ["the lesson is over: an order was repeated back wrongly to the last"],
   ["the class is over: your instructor has your marks and the debriefing", "this seat was freed by the instructor"],
   ["instructor", "assessor", "observer", "owner"],
