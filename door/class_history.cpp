@@ -74,7 +74,8 @@ json ClassHistory::again_from(const fs::path& recording) const {
                 {"time", again->from},
                 {"before", debrief::name_of(again->before)},
                 {"lost", again->lost},
-                {"lost_at", again->lost_at}};
+                {"lost_at", again->lost_at},
+                {"standing", again->standing}};
     } catch (const std::exception&) { // a part of it cannot be read
         return nullptr;
     }

@@ -1,5 +1,6 @@
 #include "door/class_runs.hpp"
 
+#include "door/marks_so_far.hpp"
 #include "idl/payload.hpp"
 
 #include <fmt/format.h>
@@ -23,22 +24,6 @@ constexpr std::size_t kWaiting = 16; // orders, for an exercise that is not ther
 /// It has not begun: nobody has started it, and it goes on from nowhere.
 bool is_ready(const ClassroomExercise& exercise) {
     return exercise.state() == RUN_READY;
-}
-
-/// Of what is decided, points of 100 that the whole lesson has. In the score of a lesson that runs, what
-/// nobody has offended against yet counts as kept: a third of the points for a hand that has not moved.
-void mark_so_far(const Assessment& marks, Result& result) {
-    double kept = 0, lost = 0, whole = 0;
-    for (const Criterion& one : marks.criteria()) {
-        if (one.kind() == CRITERION_RUBRIC) continue; // an assessor's, once it is over
-        whole += one.weight();
-        if (one.tick() == 0 || !one.counts()) continue;
-        kept += one.weight() * one.counted() / 1000.0;
-        lost += one.weight() * (1000 - one.counted()) / 1000.0;
-    }
-    if (whole <= 0) return;
-    result.points = 100 * kept / whole;
-    result.lost = 100 * lost / whole;
 }
 
 } // namespace
@@ -118,8 +103,8 @@ Result ClassRuns::result(const std::string& exercise) const {
             const auto heard = wire::decode<Assessment>(frame->payload);
             if (heard.finished())
                 result.points = heard.score();
-            else
-                mark_so_far(heard, result);
+            else if (const auto marks = marks_so_far(heard))
+                result.points = marks->points, result.lost = marks->lost;
             result.outcome = heard.finished() && heard.practice() ? "practice" : heard.outcome().to_string();
         } catch (const std::exception&) {
             continue; // of a writer that is no server of ours

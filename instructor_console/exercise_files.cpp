@@ -17,6 +17,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
 
 namespace windlass::console {
@@ -146,21 +147,30 @@ json ExerciseFiles::list() const {
         if (entry.path().extension() == ".json" && is_file_name(entry.path().stem().string()))
             paths.push_back(entry.path());
     std::ranges::sort(paths);
+    std::map<std::string, std::string> taught; // accidents, by the exercise that their lesson begins with
     for (const fs::path& path : paths) {
-        json file{
-            {"name", path.stem().string()}, {"title", ""}, {"lesson", nullptr}, {"bridge_judged", false}};
+        json file{{"name", path.stem().string()},
+                  {"title", ""},
+                  {"lesson", nullptr},
+                  {"taught_as", nullptr},
+                  {"bridge_judged", false}};
         try {
             const json document = read_json(path);
             file["title"] = text_of(document, "title");
             if (document.is_object() && document.contains("lesson")) {
-                file["lesson"] = text_of(document.at("lesson"), "id");
+                const std::string lesson = text_of(document.at("lesson"), "id");
+                file["lesson"] = lesson;
                 file["bridge_judged"] = text_of(document.at("lesson"), "bridge") == "manned";
+                if (of_an_accident(lesson)) taught.emplace(text_of(document, "from"), lesson);
             }
         } catch (const std::exception& error) {
             file["title"] = error.what(); // it can be opened by hand only
         }
         files.push_back(std::move(file));
     }
+    for (json& file : files)
+        if (const auto lesson = taught.find(file.at("name").get<std::string>()); lesson != taught.end())
+            file["taught_as"] = lesson->second;
     std::stable_partition(files.begin(), files.end(), [](const json& file) {
         return !file["lesson"].is_string() || !of_an_accident(file["lesson"].get<std::string>());
     });

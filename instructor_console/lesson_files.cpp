@@ -62,7 +62,7 @@ void check_scripts(const LessonFile& file) {
 
 namespace {
 
-/// Marks that would not rank: one that alone fails an objective, and guards that nothing brings into play.
+/// Marks that would not rank: one that alone fails the lesson, and guards that nothing brings into play.
 void doubt_marks(const assess::Lesson& lesson, std::vector<std::string>& all) {
     using assess::CriterionKind;
     for (const assess::Objective& objective : lesson.objectives) {
@@ -71,9 +71,9 @@ void doubt_marks(const assess::Lesson& lesson, std::vector<std::string>& all) {
             if (criterion.objective == objective.id) sum += criterion.weight;
         for (const assess::Criterion& criterion : lesson.criteria)
             if (criterion.objective == objective.id && !criterion.must &&
-                100 * criterion.weight > (100 - objective.pass) * sum)
+                100 * criterion.weight > (100 - objective.least()) * sum)
                 all.push_back(fmt::format("/lesson/criteria ({}): is no must, and missed it fails objective "
-                                          "{} alone: give it less weight, or make it a must",
+                                          "{} and the lesson alone: give it less weight, or make it a must",
                                           criterion.id, objective.id));
     }
     for (const assess::Criterion& criterion : lesson.criteria) {

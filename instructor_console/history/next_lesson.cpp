@@ -19,24 +19,29 @@ struct Done {
     json lesson; ///< of its file; an object without members where none was attached to the recording
     bool practice;
     bool in_part; ///< another had the seat before or after him: it shows nobody's competence
+    bool all;     ///< every objective was achieved, or an assessor's word stands on the whole
+
+    bool is_achieved() const { return outcome == "achieved" && all; }
 };
 
 std::vector<Done> done_by(Database& database, const std::string& pseudonym) {
     if (database.run("SELECT id FROM trainee WHERE pseudonym = ?", {pseudonym}).empty())
         throw std::invalid_argument(fmt::format("\"{}\": there is no trainee of that pseudonym", pseudonym));
     std::vector<Done> all;
-    for (const Row& row :
-         database.run("SELECT attempt.id, coalesce(outcome_final, outcome), recording, lesson.name, "
-                      "lesson.json, practice, min(part <> '') FROM attempt "
-                      "JOIN lesson ON lesson.hash = lesson_hash JOIN seat ON seat.attempt = attempt.id "
-                      "JOIN trainee ON trainee.id = seat.trainee WHERE pseudonym = ? AND part <> ? GROUP BY "
-                      "attempt.id "
-                      "ORDER BY began_at, attempt.id",
-                      {pseudonym, std::string(kNotJudged)})) {
+    for (const Row& row : database.run(
+             "SELECT attempt.id, coalesce(outcome_final, outcome), recording, lesson.name, "
+             "lesson.json, practice, min(part <> ''), outcome_final IS NOT NULL OR NOT EXISTS (SELECT "
+             "1 FROM objective WHERE objective.attempt = attempt.id AND objective.outcome <> "
+             "'achieved') FROM attempt "
+             "JOIN lesson ON lesson.hash = lesson_hash JOIN seat ON seat.attempt = attempt.id "
+             "JOIN trainee ON trainee.id = seat.trainee WHERE pseudonym = ? AND part <> ? GROUP BY "
+             "attempt.id "
+             "ORDER BY began_at, attempt.id",
+             {pseudonym, std::string(kNotJudged)})) {
         const json file = json::parse(text_of(row[4]), nullptr, false);
         json lesson = file.is_object() ? file.value("lesson", json::object()) : json::object();
         all.push_back({text_of(row[0]), text_of(row[1]), text_of(row[2]), text_of(row[3]), std::move(lesson),
-                       integer_of(row[5]) == 1, integer_of(row[6]) == 1});
+                       integer_of(row[5]) == 1, integer_of(row[6]) == 1, integer_of(row[7]) == 1});
     }
     return all;
 }
@@ -56,9 +61,10 @@ std::string missing(Database& database, const Done& of) {
 }
 
 std::string why_again(Database& database, const Done& last) {
-    if (last.outcome == "achieved")
-        return last.in_part ? "another had the seat before or after; now alone, from beginning to end"
-                            : "done for practice; now as a test, without hints";
+    const bool achieved = last.outcome == "achieved";
+    if (achieved && last.in_part)
+        return "another had the seat before or after; now alone, from beginning to end";
+    if (achieved && last.practice) return "done for practice; now as a test, without hints";
     const std::string objectives = missing(database, last);
     return objectives.empty() ? "it was not achieved" : objectives;
 }
@@ -71,7 +77,7 @@ std::optional<NextLesson> next_lesson(Database& database, const std::string& pse
     std::set<std::string> achieved, tried;
     for (const Done& each : all) {
         tried.insert(each.exercise);
-        if (!each.practice && !each.in_part && each.outcome == "achieved") achieved.insert(each.exercise);
+        if (!each.practice && !each.in_part && each.is_achieved()) achieved.insert(each.exercise);
     }
     const auto open = [&](const Offered& lesson) { return !achieved.contains(lesson.exercise); };
     if (!all.empty()) {
@@ -82,8 +88,9 @@ std::optional<NextLesson> next_lesson(Database& database, const std::string& pse
     }
     const auto first = std::ranges::find_if(offered, open);
     if (first == offered.end()) return std::nullopt;
-    return {{*first, tried.contains(first->exercise) ? "tried before, and not achieved" : "not done yet", "",
-             false}};
+    return {{*first,
+             tried.contains(first->exercise) ? "tried before, and not achieved in all of it" : "not done yet",
+             "", false}};
 }
 
 } // namespace windlass::history

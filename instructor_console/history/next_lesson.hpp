@@ -26,9 +26,10 @@ struct NextLesson {
     bool practice = false; ///< for practice, with hints, before it is a test again: he missed it
 };
 
-/// The lesson that he did last, as long as he has not achieved it in a test; else the first one offered, in
-/// their order, that he has not; nothing: he has achieved them all. Throws std::invalid_argument when there
-/// is no such trainee.
+/// The lesson that he did last, as long as he has not achieved it, with every objective of it, in a test;
+/// else the first one offered, in their order, that he has not; nothing: he has achieved them all. An
+/// assessor's word on the whole stands for its objectives, too. Throws std::invalid_argument when there is no
+/// such trainee.
 std::optional<NextLesson> next_lesson(Database& database, const std::string& pseudonym,
                                       const std::vector<Offered>& offered);
 

@@ -36,10 +36,19 @@ double time_for(const json& lesson, const Criterion& lost) {
     return after + (1 - lost.milli() / 1000.0) * (zero - after); // evenly down, as lessons are marked
 }
 
-/// The code of the order from which on a criterion is looked at; empty: the lesson names none.
+/// The code of the order from which on a criterion is looked at, the last of several; empty: the lesson names
+/// none.
 std::string order_of(const json& lesson, const Criterion& lost) {
     const json from = entry(lesson, "criteria", lost.code().to_string()).value("from", json::object());
-    return entry(lesson, "orders", from.value("given", "")).value("code", "");
+    json given = from.value("given", json());
+    if (given.is_array() && !given.empty()) given = json(given.back());
+    return given.is_string() ? entry(lesson, "orders", given.get<std::string>()).value("code", "") : "";
+}
+
+/// s within which steps are to be taken from a moment on that is no order; 0: the lesson says no such time.
+double time_for_steps(const json& lesson, const Criterion& lost) {
+    if (!order_of(lesson, lost).empty()) return 0;
+    return entry(lesson, "criteria", lost.code().to_string()).value("within", 0.0);
 }
 
 /// When a hand began to move levers for the last time before the loss; nothing: none did shortly before.
@@ -101,6 +110,8 @@ Before before_what(const Attempt& attempt, const Mark& mark) {
     case CRITERION_ORDER: // it counts from when it was given
         return {AgainBefore::order, mark.time};
     case CRITERION_SEQUENCE:
+        if (const double time = time_for_steps(lesson, lost); time > 0)
+            return {AgainBefore::due, mark.time - time};
         return order();
     case CRITERION_REPORT: // from when it could have been made, or was made wrongly; else from the end
         if (never_so && !was_said_wrongly(attempt, lost)) return order();
@@ -126,13 +137,18 @@ Before before_what(const Attempt& attempt, const Mark& mark) {
 } // namespace
 
 std::optional<Again> again_of(const Attempt& attempt) {
-    const auto lost = went_wrong(attempt, judgement_of(attempt));
+    const Judgement judgement = judgement_of(attempt);
+    const auto lost = went_wrong(attempt, judgement);
     if (!lost || lost->time <= attempt.began) return std::nullopt;
     const Before before = before_what(attempt, *lost);
-    return Again{.from = std::max(attempt.began, before.time - kAgainBefore),
-                 .before = before.what,
-                 .lost = name_of(*lost->criterion),
-                 .lost_at = lost->time};
+    Again again{.from = std::max(attempt.began, before.time - kAgainBefore),
+                .before = before.what,
+                .lost = name_of(*lost->criterion),
+                .lost_at = lost->time};
+    for (const Mark& mark : judgement.deductions())
+        if (mark.criterion != lost->criterion && mark.time > attempt.began && mark.time <= again.from)
+            again.standing.push_back(name_of(*mark.criterion));
+    return again;
 }
 
 } // namespace windlass::debrief

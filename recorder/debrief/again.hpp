@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace windlass::debrief {
 
@@ -29,6 +30,8 @@ struct Again {
     AgainBefore before = AgainBefore::loss;
     std::string lost;   ///< what the criterion is called
     double lost_at = 0; ///< s of exercise
+    /// What else had gone wrong by `from`, by when: it goes on as it stood then, marks and all.
+    std::vector<std::string> standing{};
 };
 
 /// Of the first must that was missed, without one of the first loss of points (went_wrong()). Nothing:

@@ -74,8 +74,9 @@ std::string objectives(const Attempt& attempt) {
                         figure_cell(fmt::format("{:.1f}", each.score)),
                         figure_cell(fmt::format("{:g}", each.pass)), text_cell(outcome_words(each.outcome))});
     if (rows.empty()) return {};
-    return "<h3>Objectives</h3>\n" +
-           table("Competence by objective", {"objective", "STCW", "points", "to pass", "outcome"}, rows);
+    return "<h3>Objectives</h3>\n" + table("Competence by objective",
+                                           {"objective", "STCW", "points of 100", "to pass", "outcome"},
+                                           rows);
 }
 
 /// What would have kept it, and whence to do it again.
@@ -105,10 +106,10 @@ std::string reckoning(const PageContext& page, const Judgement& judgement) {
             of.unearned, 100 * of.done);
     text += fmt::format(": {:.1f}.", 100 - of.lost - of.unearned);
     if (of.halved)
-        text +=
-            fmt::format(" Halved, since a must or an objective was missed or not shown, or the bridge had no "
-                        "answer: {:.1f}.",
-                        page.attempt.assessment->score());
+        text += fmt::format(
+            " Halved, since a must was missed or not shown, an objective has less than half of its "
+            "points, or the bridge had no answer: {:.1f}.",
+            page.attempt.assessment->score());
     return text + "</p>\n";
 }
 
@@ -287,13 +288,15 @@ std::string criteria(const Attempt& attempt, const Judgement& judgement) {
              figure_cell(limit ? figure_text(criterion.limit(), unit) : ""),
              figure_cell(looked_at ? figure_text(criterion.worst(), unit) : ""),
              figure_cell(looked_at ? fmt::format("{:.1f}", criterion.time_outside()) : ""),
-             figure_cell(fmt::format("{}", criterion.weight())),
+             figure_cell(criterion.counts()
+                             ? fmt::format("{:.1f} of {:.1f}", mark.points - mark.lost, mark.points)
+                             : ""),
              figure_cell(criterion.counts() ? fmt::format("{:.0f} %", criterion.counted() / 10.0) : ""),
              text_cell(station::words(criterion.state(), criterion.kind()))});
     }
     return "<h3>All criteria</h3>\n" +
-           table("Criteria; a must is met from 50 % on",
-                 {"criterion", "kind", "limit", "worst", "outside, s", "weight", "mark", "state"}, rows);
+           table("Criteria, with what they earned of the 100 points; a must is met from 50 % on",
+                 {"criterion", "kind", "limit", "worst", "outside, s", "points", "mark", "state"}, rows);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include "server/exercise/definition/orders.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -174,9 +175,14 @@ struct Gear {
     double duty_pull = 0;    ///< N, that the motor bears for half an hour: Zcont (UR A3)
 };
 
+/// It is achieved once its musts are met and its criteria reach `pass`.
 struct Objective {
     std::string id, text, stcw;
-    int pass = 50; ///< points of 100
+    int pass = 70; ///< points of 100; the lesson's own, unless it has others
+
+    /// Points of 100 below which it fails the lesson, too. From there to `pass` it is not achieved yet, and
+    /// the lesson may be: one word that was left out makes a ship that was handled safely no failure.
+    int least() const { return std::min(pass, 50); }
 };
 
 /// What a seat is told in an attempt for practice, once, when its condition first holds.

@@ -50,8 +50,8 @@ public:
         lesson_.patience = json_.value("patience", 0.0);
         read_names();
         read_list("objectives", [&](const Json& one, const std::string&) {
-            lesson_.objectives.push_back(
-                {one.at("id"), one.value("text", ""), one.value("stcw", ""), one.value("pass", 50)});
+            lesson_.objectives.push_back({one.at("id"), one.value("text", ""), one.value("stcw", ""),
+                                          one.value("pass", lesson_.pass)});
         });
         read_moments();
         read_list("orders", [&](const Json& one, const std::string& at) { read_order(one, at); });

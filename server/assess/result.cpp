@@ -108,11 +108,11 @@ Share earned(const Lesson& lesson, const State& state, const Which& of) {
     return {1000 * sums.done + kept, 1000 * (sums.deeds + sums.guards)};
 }
 
-/// Whether one of what is to be learnt was shown, and not well enough.
+/// Whether one of what is to be learnt was shown, and so poorly that it fails the lesson.
 bool misses_an_objective(const Lesson& lesson, const State& state, bool with_overrides) {
     return std::ranges::any_of(lesson.objectives, [&](const Objective& one) {
         const Share share = earned(lesson, state, {.with_overrides = with_overrides, .objective = &one.id});
-        return share.whole > 0 && share.tenths() < 10 * one.pass;
+        return share.whole > 0 && share.tenths() < 10 * one.least();
     });
 }
 
@@ -356,17 +356,18 @@ Result result(const Lesson& lesson, const State& state, int tick_rate) {
     std::ranges::stable_sort(result.reports, {}, &ReportResult::tick);
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k)
         result.criteria.push_back(criterion_result(lesson, state, k, tick_rate));
-    bool all = true;
+    bool none_fails = true;
     for (const Objective& objective : lesson.objectives) {
         const Outcome outcome = outcome_of(lesson, state, &objective.id, objective.pass);
-        all = all && outcome == Outcome::achieved;
+        none_fails =
+            none_fails && outcome_of(lesson, state, &objective.id, objective.least()) == Outcome::achieved;
         result.objectives.push_back({objective.id, objective.text, objective.stcw,
                                      result.finished ? outcome : Outcome::none,
                                      tenths_of(lesson, state, true, &objective.id), objective.pass});
     }
     if (!result.finished) return result;
     result.outcome = outcome_of(lesson, state, nullptr, lesson.pass);
-    if (result.outcome == Outcome::achieved && !all) result.outcome = Outcome::not_yet;
+    if (result.outcome == Outcome::achieved && !none_fails) result.outcome = Outcome::not_yet;
     return result;
 }
 

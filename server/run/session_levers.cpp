@@ -32,9 +32,9 @@ bool Session::take_levers(LeverGroup levers, const ReceivedOrder& from) {
     if (!before) return false;
     if (before->source == from.source) return true;
     const char* how = before->let_go ? ", handed back by " : ", taken from ";
+    const bool was_nobodys = before->source.empty() || before->source == kServerName;
     log("levers.taken",
-        fmt::format("{} has the {}{}", from.source, name(levers),
-                    before->source.empty() ? "" : how + before->source),
+        fmt::format("{} has the {}{}", from.source, name(levers), was_nobodys ? "" : how + before->source),
         side_of(levers));
     alerts_.rectify(kUnattended, side_of(levers), tick_, time_);
     return true;
@@ -57,12 +57,13 @@ bool Session::hand_is_late() const {
 }
 
 /// An exercise that goes on may have been left, or restored, with a speed lever that is not at zero. Unless a
-/// hand takes it, it is one that was let go.
+/// hand takes it, it is one that was let go: until then it is kept in the server's own name, which no hand
+/// has.
 void Session::watch_for_a_hand() {
     for (const auto& tackle : def().tackle) {
         const auto levers = static_cast<LeverGroup>(tackle.side);
         if (lever_ownership_.free(levers) && exercise_.levers(tackle.side).speed_lever != 0)
-            lever_ownership_.take(levers, {.source = "its last hand", .what = {}, .writer = {}});
+            lever_ownership_.take(levers, {.source = kServerName, .what = {}, .writer = {}});
     }
 }
 
@@ -76,6 +77,11 @@ void Session::leave_alone(LeverGroup levers, const LeverOwnership::Hand& hand) {
         order.speed_lever = 0;
         apply(order, kServerName);
         left = "speed lever at zero; brake, clutch and stopper as they were";
+    }
+    if (hand.source == kServerName) { // somebody may sit there who has not touched them: no alarm
+        log("levers.lost", fmt::format("nobody has moved the levers of the {} yet: {}", name(levers), left),
+            side_of(levers));
+        return;
     }
     log("levers.lost",
         hand.let_go

@@ -85,7 +85,7 @@ test("the server is killed: both pages say so, and nothing is said to be made", 
   await eventually("the class is told", async () =>
     (await owner.locator(".notice").textContent()).startsWith("No server is heard."),
   );
-  const last = /^not heard, was running \d+:\d\d, \d+ points, \d+ lost so far$/;
+  const last = /^not heard, was running \d+:\d\d, \d+\.\d of 100 points, \d+\.\d lost so far$/;
   for (const state of await states()) assert.match(state, last);
   await look(deck, "seat_lost");
   await look(owner, "lost");

@@ -186,7 +186,7 @@ test("of a lesson that is over the class says so, and who has the marks there is
   await its.say("stop", "--timeout", "20");
   await its.end();
   await eventually("it is over", async () =>
-    /^lesson over, \d+ points, not shown/.test(await second.locator(".state").textContent()),
+    /^lesson over, \d+\.\d of 100 points, not shown/.test(await second.locator(".state").textContent()),
   );
   await eventually("she is there", async () => (await second.locator(".here").textContent()) === "here");
   await eventually("all three are at their pages", async () =>

@@ -26,6 +26,39 @@ TEST(Assessment, MustIsMetFromHalfOnForEverybody) {
     }
 }
 
+// One word that was left out fails no lesson that was safe; what was not shown is not called achieved for it.
+TEST(Assessment, ObjectiveIsAchievedFromTheLessonsPassOnAndBelowHalfFailsTheLesson) {
+    const auto worked = [](bool stopper, bool brake, const char* pass = "") {
+        Course course(lesson(
+            R"({"id": "a", "kind": "final", "that": {"stopper": "on"}, "weight": 60, "objective": "run"},
+               {"id": "b", "kind": "final", "that": {"brake_position": {"above": 0.9}}, "weight": 40,
+                "objective": "run"},
+               {"id": "c", "kind": "final", "that": {"clutch": "out"}, "weight": 100})",
+            std::string(R"(, "objectives": [{"id": "run", "text": "runs")") + pass + "}]"));
+        course.windlass().stopper_closed = false;
+        course.windlass().brake_position = 0;
+        course.windlass().clutch = exercise::ClutchState::in;
+        course.run(1);
+        course.windlass().stopper_closed = stopper;
+        course.windlass().brake_position = brake ? 1 : 0;
+        course.windlass().clutch = exercise::ClutchState::out;
+        course.run(1);
+        course.end();
+        return course.now();
+    };
+    const Result short_of = worked(true, false);
+    EXPECT_EQ(short_of.objectives[0].pass, 70) << "the lesson's";
+    EXPECT_EQ(short_of.objectives[0].tenths, 600);
+    EXPECT_EQ(short_of.objectives[0].outcome, Outcome::not_yet);
+    EXPECT_EQ(short_of.outcome, Outcome::achieved);
+    EXPECT_EQ(short_of.tenths, 800) << "and is not halved";
+    EXPECT_EQ(worked(true, false, R"(, "pass": 60)").objectives[0].outcome, Outcome::achieved);
+    const Result missed = worked(false, true);
+    EXPECT_EQ(missed.objectives[0].outcome, Outcome::not_yet);
+    EXPECT_EQ(missed.outcome, Outcome::not_yet) << "with 70 points";
+    EXPECT_EQ(missed.tenths, 350);
+}
+
 // Where to look is where it went wrong, not where the lesson ended.
 TEST(Assessment, WhatWentWrongIsFoundWhereItFirstDid) {
     Course course(lesson(R"({"id": "v", "kind": "limit", "of": "cable_speed", "max": 3},

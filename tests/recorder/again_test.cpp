@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <utility>
 
 namespace windlass::debrief {
 namespace {
@@ -98,6 +99,41 @@ TEST_F(LostAttempt, OfStepsOnAnOrderBeginsBeforeThatOrderWhateverCameSince) {
     EXPECT_EQ(begins(), "order 90");
     attempt_.orders.erase(attempt_.orders.begin());
     EXPECT_EQ(begins(), "order 190") << "it never came: that which was the last";
+}
+
+TEST_F(LostAttempt, OfStepsOnTwoOrdersBeginsBeforeTheLastOfThem) {
+    attempt_.lesson.json =
+        R"({"lesson": {"orders": [{"id": "p", "code": "secure"}, {"id": "s", "code": "heave"}],
+        "criteria": [{"id": "pay_out", "from": {"given": ["p", "s"]}, "within": 60}]}})";
+    order(100, BRIDGE_ORDER_SECURE);
+    order(200, BRIDGE_ORDER_HEAVE);
+    order(250, BRIDGE_ORDER_HOLD_ON, 6);
+    lost(CRITERION_SEQUENCE, 300, 300);
+    EXPECT_EQ(begins(), "order 190");
+}
+
+TEST_F(LostAttempt, OfStepsThatHaveTimeFromAMomentOnBeginsBeforeThatTimeDid) {
+    attempt_.lesson.json =
+        R"({"lesson": {"criteria": [{"id": "pay_out", "from": {"moment": "rises"}, "within": 120}]}})";
+    order(250, BRIDGE_ORDER_HOLD_ON, 6);
+    lost(CRITERION_SEQUENCE, 300, 300);
+    EXPECT_EQ(begins(), "due 170") << "the order came when it was half over";
+}
+
+TEST_F(LostAttempt, SaysWhatElseHadGoneWrongByThen) {
+    order(200, BRIDGE_ORDER_SECURE);
+    lost(CRITERION_SEQUENCE, 300, 300);
+    for (const auto& [code, at] :
+         {std::pair{"after", 250}, std::pair{"to_the-bottom", 150}, std::pair{"fall", 33}}) {
+        Criterion& other = lost(CRITERION_LIMIT, at, at);
+        other.code(code);
+        other.must(false);
+    }
+    const auto again = again_of(attempt_);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->lost, "pay out");
+    EXPECT_DOUBLE_EQ(again->from, 190);
+    EXPECT_THAT(again->standing, ::testing::ElementsAre("fall", "to the bottom"));
 }
 
 TEST_F(LostAttempt, OfWhatNeverWasSoBeginsBeforeTheLastOrderAndOfWhatWasBeforeTheHandThatEndedIt) {

@@ -140,6 +140,7 @@ TEST(DebriefTest, PointsLostAreTheShareOfTheCriteriaInPlay) {
     const std::string page = page_of(attempt, {});
     EXPECT_THAT(page, HasSubstr("66.0 of 100 points, not yet"));
     EXPECT_THAT(page, HasSubstr("24.0 of 30.0"));
+    EXPECT_THAT(page, HasSubstr("6.0 of 30.0")) << "among all criteria what it earned, in the same points";
     EXPECT_THAT(page, HasSubstr("0:41 port cable 6.9 m/s, 5.5 allowed"));
     ASSERT_THAT(judgement.strongest(3), SizeIs(1));
     EXPECT_EQ(judgement.strongest(3)[0].criterion->code(), "clutch");

@@ -232,6 +232,16 @@ TEST_F(SessionRestore, SpeedLeverThatNoHandHoldsAsFoundSpringsToZero) {
     EXPECT_EQ(windlass_order(nobody, 0).brake, 0.5);
     EXPECT_TRUE(windlass_order(nobody, 0).clutch_in);
     EXPECT_EQ(count(nobody, "levers.lost"), 1);
+    EXPECT_EQ(text_of(nobody, "levers.lost"),
+              "nobody has moved the levers of the port windlass yet: speed lever at zero; brake, clutch and "
+              "stopper as they were");
+    EXPECT_TRUE(nobody.alerts().empty()) << "a trainee may sit there who has not touched them";
+
+    Session taken({}, options());
+    give(taken, state_order(heaving), 10);
+    give(taken, run_order(RunAction::start), 20);
+    give(taken, Order{WindlassOrder{.brake = 0.5, .speed_lever = 0.75, .clutch_in = true}}, 21, "trainee-1");
+    EXPECT_EQ(text_of(taken, "levers.taken"), "trainee-1 has the port windlass") << "from nobody";
 }
 
 } // namespace

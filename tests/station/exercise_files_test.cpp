@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <unistd.h>
 
 namespace windlass::console {
@@ -73,6 +74,19 @@ TEST_F(ExerciseFilesTest, ListHasAccidentsBehindTheCourse) {
     ASSERT_EQ(list.at("files").size(), 3U);
     EXPECT_EQ(list.at("files")[0].at("lesson"), "L01");
     EXPECT_EQ(list.at("files")[2].at("lesson"), "A1");
+}
+
+// A class is offered each accident once: as its lesson.
+TEST_F(ExerciseFilesTest, ExerciseOfWhichAnAccidentsLessonIsMadeSaysWhich) {
+    for (const char* name : {"A01_stellar_voyager.json", "accident_stellar_voyager.json"})
+        fs::copy(shipped / "exercises" / name, folder / name);
+    const json list = files.list();
+    std::map<std::string, json> taught_as;
+    for (const json& file : list.at("files"))
+        taught_as.emplace(file.at("name").get<std::string>(), file.at("taught_as"));
+    EXPECT_EQ(taught_as.at("accident_stellar_voyager"), "A1");
+    EXPECT_TRUE(taught_as.at("A01_stellar_voyager").is_null());
+    EXPECT_TRUE(taught_as.at("let_go_port_25m").is_null()) << "L01 is made of it, and is another exercise";
 }
 
 TEST_F(ExerciseFilesTest, AreListedWithTheirLessonsAndTheNamesThatALessonMayUse) {

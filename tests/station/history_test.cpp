@@ -48,7 +48,7 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
     History history(file());
     int day = 0;
     const auto done = [&](const char* exercise, const char* outcome, bool practice = false,
-                          bool restored = false, const char* part = "") {
+                          bool restored = false, const char* part = "", const char* objective = nullptr) {
         test::DebriefedRun run;
         run.run = ++day;
         auto of = attempt(fmt::format("day {}", day).c_str(), run);
@@ -57,10 +57,11 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
         of.exercise = exercise;
         of.assessment->lesson_hash(static_cast<std::uint64_t>(day));
         of.assessment->outcome(outcome);
+        of.assessment->objectives({test::objective("run", objective != nullptr ? objective : outcome, 60)});
         of.assessment->practice(practice);
         if (restored) of.events.emplace_back().code("exercise.restored");
-        history.add(of, {{.pseudonym = "t1", .name = "", .group = "", .part = part}},
-                    fmt::format("day {}", day));
+        return history.add(of, {{.pseudonym = "t1", .name = "", .group = "", .part = part}},
+                           fmt::format("day {}", day));
     };
     const auto next = [&] { return history.next("t1", offered); };
     EXPECT_THROW(next(), std::invalid_argument) << "nobody of that name";
@@ -79,14 +80,20 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
     EXPECT_EQ(next()->lesson.id, "L02") << "what was another's work, too, shows nobody's competence";
     EXPECT_THAT(next()->why, HasSubstr("now alone"));
     EXPECT_FALSE(next()->practice) << "he missed nothing";
+    done("lower", "achieved", false, false, "", "not_yet");
+    EXPECT_EQ(next()->lesson.id, "L02") << "an objective of it was not achieved";
+    EXPECT_EQ(next()->why, "not yet: Holds the fall");
+    EXPECT_FALSE(next()->practice);
     done("lower", "achieved");
     EXPECT_EQ(next()->lesson.id, "L01");
     EXPECT_EQ(next()->why, "not done yet");
     done("let-go", "achieved");
     done("lower", "not_yet"); // once achieved, it is
     EXPECT_EQ(next()->lesson.id, "L03");
-    done("walk-back", "achieved");
-    EXPECT_FALSE(next());
+    const std::string last = done("walk-back", "achieved", false, false, "", "not_yet");
+    EXPECT_EQ(next()->lesson.id, "L03");
+    history.confirm(last, {.by = "B. Holm", .outcome = "achieved", .note = "said by hand, I saw it"}, "");
+    EXPECT_FALSE(next()) << "an assessor's word on the whole stands for its objectives";
 }
 
 TEST_F(HistoryTest, MarksAreThoseOfTheRecording) {

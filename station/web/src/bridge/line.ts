@@ -1,7 +1,7 @@
 // The line between bridge and forecastle: what was said on it, in both directions. Which report is heard, and when it
 // was, the exercise's log says: a Report has no time, and a page that opens late hears those of before all at once.
 
-import { begins, leave } from "../kit/branch";
+import { Before, begins, leave } from "../kit/branch";
 import { orderState, wasSaidAgain, written } from "../kit/orders";
 import { besideSide, eventText, reportText, spoken } from "../kit/words";
 import type { Connection } from "../wire/connection";
@@ -49,6 +49,7 @@ export class Line {
   private reports: ReportLine[] = [];
   private readonly meant = new Map<string, Report>(); // by side and words
   private notices: Notice[] = [];
+  private readonly before = new Before();
   private worked: boolean | undefined; // as it was told last
   private run: number | undefined;
   private readonly reportListeners = new Set<(heard: HeardReport) => void>();
@@ -59,6 +60,7 @@ export class Line {
       if (state !== "open") return;
       this.reports = []; // all of it comes again
       this.notices = [];
+      this.before.clear();
       this.tell();
     });
     link.on("ExerciseStatus", ({ run }) => {
@@ -101,6 +103,11 @@ export class Line {
       .all("BridgeOrder")
       .filter((order) => order.run === this.run)
       .sort((a, b) => a.number - b.number);
+  }
+
+  /** Whether an order was given before the exercise was taken up here. */
+  isBefore(order: BridgeOrder): boolean {
+    return this.before.has(order);
   }
 
   /** Lines of the log by which reports were heard, of this branch. */
@@ -152,6 +159,7 @@ export class Line {
   private notice(event: SeatEvent): void {
     const known = (log: readonly SeatEvent[]): boolean =>
       log.some((n) => n.number === event.number && n.time === event.time && n.code === event.code);
+    this.before.hear(event);
     if (begins(event)) {
       leave(this.reports, event);
       leave(this.notices, event);

@@ -5,6 +5,7 @@ import { inChosenUnits } from "../kit/figures_in_text";
 import { showsTopic } from "../kit/live";
 import { clock, measures, figure } from "../kit/units";
 import { practiceSaid } from "../kit/own_marks";
+import { pointsSaid, soFar } from "../kit/points_said";
 import { outcomeSaid, saidOf, stateSaid } from "../kit/words";
 import {
   type Assessment,
@@ -103,18 +104,17 @@ export class MarksPanel {
   }
 
   private show(assessment: Assessment): void {
-    const end = assessment.finished ? ` \u2013 ${outcomeSaid(assessment.outcome)}` : "";
-    const computed =
-      assessment.score === assessment.score_computed
-        ? ""
-        : ` (${t("computed {score}", { score: figure(assessment.score_computed, 1) })})`;
-    const points = t("{score} of 100 points", { score: figure(assessment.score, 1) });
+    const { finished, score, score_computed } = assessment;
+    const now = finished ? { points: score, lost: 0 } : soFar(assessment);
+    const alone = finished ? score_computed : soFar(assessment, true).points;
+    const points = pointsSaid(now.points, now.lost, finished ? outcomeSaid(assessment.outcome) : "");
+    const computed = now.points === alone ? "" : ` (${t("computed {score}", { score: figure(alone, 1) })})`;
     const early = assessment.ending === LessonEnding.LESSON_ENDED_EARLY; // and then it is said in words
     const abort = assessment.abort
       ? `, ${early ? translated(assessment.abort) : t("ended: {what}", { what: assessment.abort })}`
       : "";
     const practice = assessment.practice ? `; ${practiceSaid(assessment)}` : "";
-    setText(this.head, `${clock(assessment.time)}  ${points}${computed}${end}${abort}${practice}`);
+    setText(this.head, `${clock(assessment.time)}  ${points}${computed}${abort}${practice}`);
     this.list.replaceChildren(...assessment.criteria.map((criterion) => this.row(criterion)));
     this.form.hidden = false;
     const names = assessment.criteria.map((criterion) => criterion.code);

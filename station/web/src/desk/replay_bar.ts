@@ -45,7 +45,7 @@ export class ReplayBar {
         jump("\u25b8]", t("next event, key ]"), () => this.toEvent(1)),
       ),
       h("span", { class: "group", ...gives }, this.speed, this.loop),
-      this.place,
+      h("span", { class: "group" }, h("span", { class: "quiet" }, t("time of the recording")), this.place),
       this.debrief.element,
       h(
         "span",

@@ -1,11 +1,20 @@
 // Reports of the forecastle as the exercise's log has them, each at its own time, with what was so then. The log alone
-// says when one was made: a Report has no time, and a desk that opens late hears those of before all at once.
+// says when one was made: a Report has no time, and a desk that opens late hears those of before all at once. What was
+// so before it was here, it has from the lesson's judge, of the reports that he holds against the truth.
 
 import { begins } from "../kit/branch";
+import { inChosenUnits } from "../kit/figures_in_text";
 import { cableSpeeds, celsius, figure, loads, shackles } from "../kit/units";
 import { besideSide, eventLine, reportText, saidOf, spoken } from "../kit/words";
 import type { Connection } from "../wire/connection";
-import { type AnchorState, type ChainState, type Report, ReportCode, type WindlassLoad } from "../wire/generated";
+import {
+  type AnchorState,
+  type ChainState,
+  type JudgedReport,
+  type Report,
+  ReportCode,
+  type WindlassLoad,
+} from "../wire/generated";
 import type { EventStore, Logged } from "./events";
 import { t } from "../kit/language";
 
@@ -20,7 +29,7 @@ interface Then {
 export interface ReportLine {
   readonly event: Logged;
   readonly words: string;
-  /** "was 3.2 out"; empty where it can be neither right nor wrong, or is not known. */
+  /** "was 3.2 out", or what the judge says; empty where it can be neither right nor wrong, or is not known. */
   was: string;
 }
 
@@ -34,6 +43,7 @@ export class ReportLog {
   lines: ReportLine[] = [];
   private readonly truths = new Map<ReportLine, Then>();
   private readonly reports = new Map<string, Report>(); // what was said, by its words
+  private judged: readonly JudgedReport[] = []; // so far, of this branch
 
   /** replay: of which all branches are shown. changed: is called after each change of the lines. */
   constructor(
@@ -44,6 +54,7 @@ export class ReportLog {
   ) {
     for (const side of [0, 1]) this.soThen(side, NaN); // wanted from the first on, so that it comes with its past
     link.on("Report", (report) => this.hear(report));
+    link.on("Assessment", ({ reports }) => this.judge(reports));
     events.onChange((event) => {
       if (event && !begins(event)) return isReport(event) && this.take(event);
       this.sift();
@@ -57,6 +68,17 @@ export class ReportLog {
     const meant = this.lines.filter(({ event }) => spoken(event.text) === words);
     for (const line of meant) line.was = this.wasOf(line);
     if (meant.length > 0) this.changed();
+  }
+
+  private judge(reports: readonly JudgedReport[]): void {
+    this.judged = reports;
+    let news = false;
+    for (const line of this.lines) {
+      const was = this.wasOf(line);
+      news ||= was !== line.was;
+      line.was = was;
+    }
+    if (news) this.changed();
   }
 
   private take(event: Logged): void {
@@ -92,8 +114,15 @@ export class ReportLog {
 
   private wasOf(line: ReportLine): string {
     const then = this.truths.get(line) ?? {};
+    if (!then.load) return this.judgedOf(line.event);
     const report = this.reports.get(spoken(line.event.text));
     return report ? truthOf(report, then) : atLarge(then);
+  }
+
+  /** In the judge's words. */
+  private judgedOf({ tick, side }: Logged): string {
+    const its = this.judged.filter((one) => one.tick === tick && (side < 0 || one.side === side));
+    return [...new Set(its.map(({ text }) => inChosenUnits(text)))].join("; ");
   }
 }
 

@@ -74,6 +74,8 @@ export interface From {
   lost: string;
   /** s of exercise. */
   lost_at: number;
+  /** What else had gone wrong by then: it goes on as it stood. */
+  standing: string[];
 }
 
 /** A class that goes on from there, each where he sat. */
@@ -192,10 +194,20 @@ export interface Classes {
   port: number;
 }
 
+export interface ExerciseFile {
+  name: string;
+  title: string;
+  /** Its id; null: there is none in it. */
+  lesson: string | null;
+  /** An accident's lesson that is made of it. */
+  taught_as: string | null;
+  /** It is played by two at least. */
+  bridge_judged: boolean;
+}
+
 /** Exercise files. */
 export interface Lessons {
-  /** bridge_judged: it is played by two at least. */
-  files: { name: string; title: string; lesson: string | null; bridge_judged: boolean }[];
+  files: ExerciseFile[];
 }
 
 async function answered<T>(answer: Response): Promise<T> {

@@ -2,6 +2,7 @@
 
 import { capital, outcomeSaid } from "../kit/words";
 import { h, setText } from "../kit/dom";
+import { pointsSaid } from "../kit/points_said";
 import { clock } from "../kit/units";
 import {
   type Again,
@@ -25,12 +26,7 @@ import { t } from "../kit/language";
 /** In words: points, and what they mean once the lesson is over. */
 export function marksOf({ points, lost, outcome }: ClassExercise): string {
   if (points === null) return t("not marked");
-  const whole = points.toFixed(0);
-  if (!outcome) return t("{points} points, {lost} lost so far", { points: whole, lost: (lost ?? 0).toFixed(0) });
-  return t("{points} points, {outcome}", {
-    points: whole,
-    outcome: outcome === "practice" ? t("for practice") : outcomeSaid(outcome),
-  });
+  return pointsSaid(points, lost ?? 0, outcome === "practice" ? t("for practice") : outcomeSaid(outcome));
 }
 
 /** Of a seat whose work is not what the marks are of. */
@@ -39,9 +35,16 @@ const notJudged = ({ bridge_judged }: TrainingClass): string =>
 
 const kLook = 2000; // ms
 
-/** Why a class that goes on does so from there: "fall went wrong at 0:33: ten seconds before its time began". */
-export function whyFrom({ before, lost, lost_at }: From): string {
-  const its = { lost, at: clock(lost_at) };
+/**
+ * Why a class that goes on does so from there: "fall went wrong at 0:33: ten seconds before its time began". Behind it
+ * what stands then: "had gone wrong by then, and stands as it was: orders".
+ */
+export function whyFrom({ before, lost, lost_at, standing }: From): string {
+  const why = whyBefore(before, { lost, at: clock(lost_at) });
+  if (standing.length === 0) return why;
+  return `${why}; ${t("had gone wrong by then, and stands as it was: {standing}", { standing: standing.join(", ") })}`;
+}
+function whyBefore(before: From["before"], its: { lost: string; at: string }): string {
   switch (before) {
     case "levers":
       return t("{lost} went wrong at {at}: ten seconds before the last move of the levers until then", its);

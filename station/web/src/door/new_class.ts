@@ -1,7 +1,7 @@
 // A new class: of which lesson, how many exercises, how many to each.
 
 import { h, setText } from "../kit/dom";
-import { type Classes, type Again, type Lessons, type Next, act } from "./ask";
+import { type Classes, type Again, type ExerciseFile, type Lessons, type Next, act } from "./ask";
 import { whyFrom } from "./class_marks";
 import { field, form } from "./form";
 import { freeName } from "./free_name";
@@ -23,6 +23,10 @@ export function crewFor(bridgeJudged: boolean, chosen?: number): number {
   const least = bridgeJudged ? 2 : 1; // a lesson whose bridge is judged is none for one alone
   return chosen !== undefined && chosen >= least ? chosen : least;
 }
+
+/** What a class may be of: lessons first, then exercises without one. An accident is offered once, as its lesson. */
+export const offered = (files: readonly ExerciseFile[]): ExerciseFile[] =>
+  files.filter(({ taught_as }) => taught_as === null).sort((a, b) => Number(!!b.lesson) - Number(!!a.lesson));
 
 export interface NewClass {
   /** The form, with a name that is free. */
@@ -85,11 +89,7 @@ export function newClass(
   };
   lesson.onchange = () => void suit();
   const listed = lessons.then(({ files }) =>
-    lesson.append(
-      ...files
-        .sort((a, b) => Number(!!b.lesson) - Number(!!a.lesson))
-        .map((file) => h("option", { value: file.name }, file.title || file.name)),
-    ),
+    lesson.append(...offered(files).map((file) => h("option", { value: file.name }, file.title || file.name))),
   );
   const choose = async (file?: string): Promise<void> => {
     await listed;

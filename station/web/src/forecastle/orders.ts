@@ -2,7 +2,7 @@
 
 import { Refused, type Connection } from "../wire/connection";
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState, type SeatEvent } from "../wire/generated";
-import { begins, leave } from "../kit/branch";
+import { Before, begins, kBefore, leave } from "../kit/branch";
 import { h, setText } from "../kit/dom";
 import { isAnswered } from "../kit/order_done";
 import { isOpen, isQuestion, orderMayBeBare, orderUnit, repeatState, written } from "../kit/orders";
@@ -32,6 +32,7 @@ export class Orders {
   private readonly listeners = new Set<(order: BridgeOrder) => void>();
   private heard = 0; // number of the newest that was announced
   private reports: Made[] = []; // by which questions are answered
+  private readonly before = new Before();
 
   constructor(
     private readonly link: Connection,
@@ -49,7 +50,10 @@ export class Orders {
     link.on("ExerciseStatus", () => this.orders().length !== this.list.childElementCount && this.update());
     link.on("SeatEvent", (event) => this.hear(event));
     link.onState((state) => {
-      if (state === "open") this.reports = []; // all of it comes again
+      if (state === "open") {
+        this.reports = []; // all of it comes again
+        this.before.clear();
+      }
       this.update();
     });
   }
@@ -68,6 +72,7 @@ export class Orders {
   }
 
   private hear(event: SeatEvent): void {
+    this.before.hear(event);
     if (begins(event)) leave(this.reports, event);
     else if (event.code === "report.made") this.reports = [...this.reports, { ...event, left: false }].slice(-kReports);
     else return;
@@ -103,7 +108,9 @@ export class Orders {
         order,
         this.reports.filter(({ left }) => !left),
       );
-    const waits = asked && !answered && this.orders()[0]?.number === order.number;
+    const before = asked && !answered && this.before.has(order);
+    const waits = asked && !answered && !before && this.orders()[0]?.number === order.number;
+    const newest = waits ? t("answer by a report") : repeatState(order, this.orders());
     const button: HTMLButtonElement | false =
       open &&
       h(
@@ -117,11 +124,7 @@ export class Orders {
       { "data-number": order.number, "data-state": BridgeOrderState[order.state] },
       h("time", {}, clock(order.time)),
       h("span", { class: "spoken", lang: "en" }, written(order)),
-      h(
-        "span",
-        { class: "quiet" },
-        answered ? t("answered") : waits ? t("answer by a report") : repeatState(order, this.orders()),
-      ),
+      h("span", { class: "quiet" }, answered ? t("answered") : before ? kBefore : newest),
       button,
     );
   }

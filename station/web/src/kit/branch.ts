@@ -19,3 +19,30 @@ export const kLeft = t("in a branch that was left");
 export function leave(log: Iterable<{ time: number; left: boolean }>, event: Told): void {
   for (const other of log) if (other.time > event.time) other.left = true;
 }
+
+/**
+ * Orders that were given before the moment from which the exercise goes on, somewhere else, as in a recording: they are
+ * told with it, and what was said to them is not. A question among them waits for nothing any more.
+ */
+export class Before {
+  private from = -Infinity; // s, of that moment
+  private given = new Set<string>(); // that were heard here
+
+  /** All of the log comes again. */
+  clear(): void {
+    this.from = -Infinity;
+    this.given.clear();
+  }
+
+  hear(event: Told & { value: number }): void {
+    if (event.code === "order.given") this.given.add(`${event.value} ${event.time}`);
+    if (begins(event)) this.from = event.code === "exercise.restored" ? event.time : -Infinity;
+  }
+
+  has({ number, time }: { number: number; time: number }): boolean {
+    return time <= this.from && !this.given.has(`${number} ${time}`);
+  }
+}
+
+/** What is said of a question among them. */
+export const kBefore = t("asked before it was taken up here");

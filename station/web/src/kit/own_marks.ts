@@ -9,6 +9,7 @@ import {
   type Criterion,
   CriterionState,
   LessonEnding,
+  type ObjectiveMark,
 } from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
@@ -21,6 +22,7 @@ import { t } from "./language";
 const kToWorkOn = 3; // criteria that are named first: nobody mends ten things at once
 const kNotInPlay = CriterionState.CRITERION_NOT_IN_PLAY;
 const kRight = 500; // of 1000: a report that earned less was not right (JudgedReport, windlass.idl)
+const kFails = 50; // points of 100: an objective below that fails its lesson (server/assess/lesson.hpp)
 
 /** Points that a criterion has lost, of its weight. */
 const lost = (criterion: Criterion): number => (criterion.weight * (1000 - criterion.counted)) / 1000;
@@ -53,6 +55,10 @@ export function headline({ outcome, score, pass }: Pick<Assessment, "outcome" | 
     pass,
   });
 }
+
+/** Whether an objective fails the lesson; from half of its points on it does not, though it may not be achieved yet. */
+export const failsLesson = ({ outcome, score, pass }: Pick<ObjectiveMark, "outcome" | "score" | "pass">): boolean =>
+  outcome !== "achieved" && score < Math.min(pass, kFails);
 
 /** When the report came against what it told of: "2 s early", "8 s after it", "at once". */
 export function delayWords(delay: number): string {
@@ -218,8 +224,13 @@ export class OwnMarks {
       ),
       section(
         t("What was to be learnt"),
-        assessment.objectives.map(({ text, id, outcome }) =>
-          h("li", { "data-outcome": outcome }, `${text || spaced(id)}: ${outcomeSaid(outcome)}`),
+        assessment.objectives.map((each) =>
+          h(
+            "li",
+            { "data-outcome": each.outcome },
+            each.text || spaced(each.id),
+            h("span", { class: "quiet" }, headline(each)),
+          ),
         ),
       ),
       section(
@@ -294,8 +305,10 @@ function reckoning({ criteria, objectives, abort }: Assessment): HTMLElement | f
     kept.length > 0 &&
       missed.length > 0 &&
       t("What was kept counts in the measure in which the rest was done, and the points in play make up 100."),
-    (abort !== "" || missed.some(({ must }) => must) || objectives.some(({ outcome }) => outcome !== "achieved")) &&
-      t("A must or an objective that was missed, or a bridge that had no answer, halves the whole, once."),
+    (abort !== "" || missed.some(({ must }) => must) || objectives.some(failsLesson)) &&
+      t(
+        "A must that was missed, an objective below half of its points, or a bridge that had no answer, halves all, once.",
+      ),
   ].filter((rule) => rule !== false);
   return rules.length > 0 && h("p", { class: "quiet" }, rules.join(" "));
 }

@@ -71,6 +71,7 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   "levers.lost": [
     "{name} is not at the levers: nobody has the {0}; {1}",
     "{name} is no longer heard and nobody has the {0}: {1}",
+    "nobody has moved the levers of the {0} yet: {1}",
   ],
   "levers.taken": [
     "{name} has the {0}, taken from {other}",

@@ -3,7 +3,7 @@
 import type { Connection } from "../wire/connection";
 import { type ExerciseStatus, RunState } from "../wire/generated";
 import type { AlertPanel } from "./alerts";
-import { h, setAttribute, setText } from "./dom";
+import { h, setAttribute, setShown, setText } from "./dom";
 import { runStateWords } from "./run_state";
 import { nextPalette, onPalette, paletteLabel, paletteWord } from "./palette";
 import { UnitChoice } from "./unit_choice";
@@ -18,6 +18,8 @@ export class TopBar {
   private readonly seat = h("h1", { class: "seat" });
   private readonly exercise = h("span", { class: "exercise" });
   private readonly time = h("span", { class: "time", role: "timer", "aria-label": t("exercise time") });
+  /** A replay has another clock beside it, of its recording. */
+  private readonly whose = h("span", { class: "quiet", "aria-hidden": "true", hidden: true }, t("exercise time"));
   private readonly state = h("span", { class: "state" });
   private latest = (): ExerciseStatus | undefined => undefined;
   private silent = false;
@@ -43,7 +45,7 @@ export class TopBar {
       { class: "top-bar" },
       h("span", { class: "title" }, "Windlass"),
       this.seat,
-      ...(alerts ? [this.exercise, this.time, this.state] : []),
+      ...(alerts ? [this.exercise, this.whose, this.time, this.state] : []),
       this.middle,
       alerts?.sound.button,
       alerts?.button,
@@ -83,6 +85,7 @@ export class TopBar {
     setText(this.exercise, status.title || status.exercise);
     setAttribute(this.exercise, "title", status.title || status.exercise); // in full where there is no room for it
     setText(this.time, clock(status.time));
+    setShown(this.whose, status.state === RunState.RUN_REPLAY);
     this.time.toggleAttribute("data-old", this.silent);
     const running = status.state === RunState.RUN_RUNNING;
     const achieved = status.time_scale_achieved;

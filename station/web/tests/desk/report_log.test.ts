@@ -30,7 +30,7 @@ function desk() {
     listeners.get(topic)?.forEach((listener) => listener(sample as never, "", 0));
   let number = 0;
   const event = (time: number, code: string, side: number, text: string): void =>
-    tell("Event", { number: ++number, time, code, side, text, severity: EventSeverity.EVENT_INFO });
+    tell("Event", { number: ++number, tick: 10 * time, time, code, side, text, severity: EventSeverity.EVENT_INFO });
   return {
     event,
     /** Truth of the port side: shackles out, and of the anchor. */
@@ -43,6 +43,9 @@ function desk() {
     /** As the server has heard it. */
     logs: (time: number, code: ReportCode, value = 0) =>
       event(time, "report.made", 0, `reported: ${reportText({ ...bareReport(code, 0), value })}`),
+    /** The judge, of what was reported then: with the side of the cable that it was held against. */
+    judges: (...all: [time: number, text: string, side?: number][]) =>
+      tell("Assessment", { reports: all.map(([time, text, side = 0]) => ({ tick: 10 * time, side, text })) }),
     lines: () => log.lines.map(({ event: { time }, words, was }) => ({ time, words, was })),
   };
 }
@@ -76,6 +79,19 @@ test("a desk that is opened late has each report at its time, and no truth of no
     { time: 27, words: "port anchor is let go", was: "" },
     { time: 53, words: "port: 2 shackles in the pipe", was: "" },
   ]);
+});
+
+test("a desk that is opened late has what was so from the lesson's judge, whichever it hears first", () => {
+  const late = desk();
+  late.stands(131, 5);
+  late.judges([27, "2 s after it was so, at 0:25"], [27, "of the other cable", 1]);
+  late.logs(27, letGo);
+  late.logs(53, inPipe, 2);
+  late.logs(131, inPipe, 2);
+  const was = (): string[] => late.lines().map((line) => line.was);
+  assert.deepEqual(was(), ["2 s after it was so, at 0:25", "", "was 5.0 out, on the bottom"]);
+  late.judges([27, "2 s after it was so, at 0:25"], [53, "2.41 were so"], [131, "4.97 were so"]);
+  assert.deepEqual(was(), ["2 s after it was so, at 0:25", "2.41 were so", "was 5.0 out, on the bottom"]);
 });
 
 test("the same words said twice are two reports, each beside its own truth", () => {

@@ -31,12 +31,16 @@ test("who was relieved goes on alone, where he was", () => {
 });
 
 test("a class that goes on says before what it begins, and what was lost by that", () => {
-  const why = (before: From["before"]): string =>
-    whyFrom({ recording: "mon-1-17", position: 14, time: 10, before, lost: "fall", lost_at: 33.4 });
+  const why = (before: From["before"], standing: string[] = []): string =>
+    whyFrom({ recording: "mon-1-17", position: 14, time: 10, before, lost: "fall", lost_at: 33.4, standing });
   assert.equal(why("levers"), "fall went wrong at 0:33: ten seconds before the last move of the levers until then");
   assert.equal(why("order"), "fall went wrong at 0:33: ten seconds before the last order until then");
   assert.equal(why("due"), "fall went wrong at 0:33: ten seconds before its time began");
   assert.equal(why("loss"), "ten seconds before fall went wrong, at 0:33");
+  assert.equal(
+    why("loss", ["repeat", "pay out"]),
+    "ten seconds before fall went wrong, at 0:33; had gone wrong by then, and stands as it was: repeat, pay out",
+  );
 });
 
 test("an assessor's word stands with who gave it, and without points where nothing was assessed", () => {

@@ -4,7 +4,16 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
-import { delayWords, headline, judgedBy, orderDone, toWorkOn, wentWell, whose } from "../../src/kit/own_marks";
+import {
+  delayWords,
+  failsLesson,
+  headline,
+  judgedBy,
+  orderDone,
+  toWorkOn,
+  wentWell,
+  whose,
+} from "../../src/kit/own_marks";
 import { root } from "../../tools/web.mjs";
 import { BridgeOrderState, type Criterion, CriterionKind, CriterionState } from "../../src/wire/generated";
 
@@ -67,6 +76,12 @@ test("what only was not broken is not told as done", () => {
 
 test("the outcome is the server's, beside what is needed", () => {
   assert.equal(headline({ outcome: "not_yet", score: 49.6, pass: 70 }), "Not yet: 50 of 100 points, 70 are needed");
+});
+
+test("an objective that falls short of what it needs fails the lesson below half of its points", () => {
+  const fails = (outcome: string, score: number, pass = 70) => failsLesson({ outcome, score, pass });
+  assert.deepEqual([fails("not_yet", 49.9), fails("not_shown", 0), fails("not_yet", 20, 30)], [true, true, true]);
+  assert.deepEqual([fails("not_yet", 61), fails("achieved", 40, 30)], [false, false]);
 });
 
 test("a report is early, late or at once by the second", () => {
