@@ -164,20 +164,21 @@ void DoorHost::take_word(const Who& who, const json& asked, const Reply& reply) 
     }
     const std::set<std::string> outcomes{"achieved", "not_yet", "not_shown"};
     if (!outcomes.contains(judged.outcome)) throw Denied(400, "outcome: achieved, not_yet or not_shown");
-    const bool known = std::ranges::any_of(book_.classes(), [&](const TrainingClass& each) {
+    const auto its_class = std::ranges::find_if(book_.classes(), [&](const TrainingClass& each) {
         return std::ranges::any_of(each.results, [&](const auto& one) {
             return one.second.recording == judged.recording && one.second.in_history;
         });
     });
-    if (!known) throw Denied(404, "no class has such an attempt in the history");
+    if (its_class == book_.classes().end()) throw Denied(404, "no class has such an attempt in the history");
     slow_.add<json>(
         [judge = options_.judge, words = options_.words, judged] {
             const std::string why = judge(judged);
             return why.empty() ? json{{"words", words_told(words({judged.recording}))}} : json{{"why", why}};
         },
-        [this, judged](const json& found) {
+        [this, judged, id = its_class->id](const json& found) {
             if (const auto why = found.find("why"); why != found.end())
                 return refused(409, why->get<std::string>());
+            ++words_given_[id];
             audit_.write("attempt.judged", {{"by", judged.by},
                                             {"recording", judged.recording},
                                             {"outcome", judged.outcome},
@@ -603,6 +604,7 @@ json DoorHost::class_told(const TrainingClass& told) {
         }
         exercises.push_back(std::move(each));
     }
+    const auto words = words_given_.find(told.id);
     return {{"id", told.id},
             {"lesson", told.lesson},
             {"practice", told.practice},
@@ -611,6 +613,7 @@ json DoorHost::class_told(const TrainingClass& told) {
             {"bridge_judged", told.bridge_judged},
             {"until", told.until},
             {"over", told.over},
+            {"words", words == words_given_.end() ? 0 : words->second},
             {"exercises", std::move(exercises)}};
 }
 

@@ -198,6 +198,9 @@ private:
     std::vector<Leaver> leavers_;
     gateway::Clock::time_point next_look_{};
     std::set<std::string> asked_for_history_; // recordings, by this program: each once
+    /// How many words of assessors this program has put into the history, by class: pages look again when it
+    /// counts up.
+    std::map<std::string, int> words_given_;
     SlowWork slow_;
 
     cmi5::Outbox outbox_;

@@ -17,7 +17,9 @@ namespace windlass::assess {
 
 namespace {
 
-constexpr std::size_t kMostBytes = 200; // so that the points lost stand within the wire's 256
+constexpr std::size_t kMostBytes = 200; // so that the points lost stand within the wire's bound
+constexpr std::size_t kOnWire = 256;    // bytes of Criterion.reason
+constexpr const char* kCut = " ...";
 
 std::string clock(std::int64_t ticks, int tick_rate) {
     const std::int64_t seconds = ticks / tick_rate;
@@ -542,7 +544,7 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
     case CriterionKind::rubric:
         break;
     }
-    if (text.size() > kMostBytes) text = whole_clauses(text, kMostBytes) + " ...";
+    if (text.size() > kMostBytes) text = whole_clauses(text, kMostBytes) + kCut;
     const bool left_out = was_left_out(lesson, state, k);
     if (left_out) text = "it never came to that";
     const bool judged = left_out || mark.state != CriterionState::not_in_play;
@@ -551,6 +553,9 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
     const bool missed = judged && !is_met(mark.milli);
     if (criterion.must && missed && state.ending != Ending::none) text += "; a must";
     if (mark.overridden) text += (text.empty() ? "" : "; ") + mark.by + ": " + mark.note;
+    // A long note does not stand here whole, and says so; its AssessmentCommand has all of it.
+    if (text.size() > kOnWire)
+        text = std::string(clipped(text, kOnWire - std::string_view(kCut).size())) + kCut;
     return text;
 }
 

@@ -242,6 +242,16 @@ describe("the line to the forecastle", () => {
     await eventually("cancelled", async () => (await state("stand by")) === "ORDER_CANCELLED");
   });
 
+  test("an order with more words than fit is not cut: it says so, and does not go out", async () => {
+    const words = page.getByRole("textbox", { name: "order in own words" });
+    await words.fill("ä".repeat(101));
+    await page.keyboard.press("Enter");
+    assert.ok(await page.getByText("too long: 202 of 200 characters").isVisible());
+    assert.equal(await words.inputValue(), "ä".repeat(101));
+    await words.fill("");
+    assert.ok(await page.locator(".say .typed-count").isHidden());
+  });
+
   test("keys typed into the order do not steer", async () => {
     const before = await reads(wheel());
     await page.getByRole("textbox", { name: "order in own words" }).fill("");

@@ -362,6 +362,17 @@ test("an assessor looks at the replay that is shown, and seeks in it; an observe
     return page;
   };
   const assessor = await staff("assessor");
+  await assessor.locator(".class-marks").waitFor(); // he opens no class, and none goes on
+  for (const page of [owner, assessor]) await page.getByRole("button", { name: /^(?!again).*, over$/ }).click();
+  const word = assessor.locator(".class-marks .word").first();
+  for (const note of ["the load cell had failed", "the counter had failed with it"]) {
+    await word.locator("summary").click();
+    await word.getByRole("textbox", { name: /^Why/ }).fill(note);
+    await on(assessor, "Set").first().click();
+    await eventually("a page that is open has it, the second as the first", async () =>
+      new RegExp(`^assessor: .*${note}`, "i").test(await owner.locator(".class-marks .word p").first().textContent()),
+    );
+  }
   await assessor.goto(new URL(`/replay?recording=${recording}&t=5`, door.url).href); // as a debriefing's time does
   await assessor.waitForURL(/\/instructor\?exercise=replay-/);
   const place = () => assessor.locator(".replay-bar .place").textContent();

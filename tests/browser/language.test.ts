@@ -76,6 +76,21 @@ for (const [name, sign] of Object.entries(heard))
     await closePage(page);
   });
 
+test("the desk's plots have a height to be read by, however many lines their bar takes", async () => {
+  const page = await open("instructor");
+  await eventually("it has heard of the exercise", () => page.locator(heard.instructor).first().textContent());
+  for (const [width, height] of kSizes) {
+    await page.setViewportSize({ width, height });
+    await eventually(`${width}x${height}`, async () => {
+      const plots = page.locator(".pane .u-over");
+      const heights = await plots.evaluateAll((all) => all.map((plot) => plot.getBoundingClientRect().height));
+      return heights.length > 0 && Math.min(...heights) >= 50;
+    });
+  }
+  hadNoProblems(page);
+  await closePage(page);
+});
+
 test("an order that waits on the forecastle is in sight with its state and its button, at every size", async () => {
   const page = await open("forecastle");
   const close = page.getByRole("button", { name: "Schließen" });

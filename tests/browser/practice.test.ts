@@ -54,6 +54,33 @@ test("the forecastle has the model's levers and its own gauges of them; the brid
   await passesAxe(deck);
 });
 
+test("with them shown no control of the stand lies over another, in either language", async () => {
+  const shown = async () => /Kupplung .* m, /.test((await german.locator(".practice .figures").textContent()) ?? "");
+  await eventually("they are shown in German, too", shown);
+  const beyond = (page: TestPage) =>
+    page.locator(".controls > .control").evaluateAll((controls) =>
+      controls
+        .filter((control) => {
+          const ends = [...control.children].map((part) => part.getBoundingClientRect().bottom);
+          return Math.max(...ends) > control.getBoundingClientRect().bottom + 1;
+        })
+        .map((control) => control.getAttribute("aria-label")),
+    );
+  for (const page of [deck, german]) {
+    const wide = page.viewportSize();
+    for (const [width, height] of [
+      [1440, 900],
+      [1280, 720],
+      [1024, 768],
+      [820, 1180],
+    ]) {
+      await page.setViewportSize({ width, height });
+      assert.deepEqual(await beyond(page), [], `${width}x${height}`);
+    }
+    await page.setViewportSize(wide);
+  }
+});
+
 /** The model says that it stands by, and is told to let go; nobody says so here. */
 test("it waits where this lesson has not come as far", async () => {
   await eventually("late", async () => /\d+ s behind you/.test((await practice(deck).textContent()) ?? ""));

@@ -153,6 +153,55 @@ const onRim = ({ x, y, width, height }: Box, turns: number, hub = 0.5): [number,
   ];
 };
 
+test("on a phone the bar and the newest order are a line each, and lie over no control that is held", async () => {
+  const page = await open("forecastle", [390, 844]);
+  const box = (selector: string) => page.locator(selector).first().boundingBox();
+  const orders = page.locator(".heard li");
+  await rig.say("order", "let-go", "--side", "port");
+  await rig.say("order", "hold-on", "6", "--side", "port");
+  await eventually("both were heard", async () => (await orders.count()) >= 2);
+  assert.ok(await orders.first().getByRole("button").isVisible(), "it can be repeated");
+  assert.ok(await orders.first().locator(".spoken").isVisible());
+  assert.equal(await orders.nth(1).isVisible(), false, "the newest alone");
+  const [bar, line] = [await box(".top-bar"), await box(".heard")];
+  assert.ok(bar.height + line.height < 0.15 * 844, `${bar.height} + ${line.height}`);
+
+  await orders.first().locator(".spoken").tap();
+  assert.ok(await orders.nth(1).isVisible(), "its words unfold all of them");
+  await page.keyboard.press("Escape");
+  assert.equal(await orders.nth(1).isVisible(), false);
+
+  const briefing = page.getByRole("button", { name: "Briefing" });
+  const stand = await box(".stand");
+  assert.equal(await briefing.isVisible(), false);
+  await page.getByRole("button", { name: "more buttons" }).tap();
+  assert.ok(await briefing.isVisible());
+  assert.deepEqual(await box(".stand"), stand, "nothing moves away from under a finger");
+  assert.deepEqual(await cutOff(page), []);
+  await page.keyboard.press("Escape");
+  assert.equal(await briefing.isVisible(), false);
+
+  // The wheel half under the line: it is above once it is in the hand.
+  const atTheLine = () =>
+    page.evaluate(() => {
+      const wheel = document.querySelector(".controls .wheel");
+      const line = document.querySelector(".heard").getBoundingClientRect();
+      document.querySelector("main").scrollTop += wheel.getBoundingClientRect().top - line.top;
+      const { left, right } = wheel.getBoundingClientRect();
+      return wheel.contains(document.elementFromPoint((left + right) / 2, (line.top + line.bottom) / 2));
+    });
+  await boxOf(page, "brake hand-wheel");
+  assert.equal(await atTheLine(), false, "the order lies over what is not touched");
+  const hand = await fingers(page);
+  const rim = await page.getByRole("slider", { name: "brake hand-wheel", exact: true }).boundingBox();
+  await hand.put(1, ...onRim(rim, 0.5));
+  await eventually("the wheel lies over it", atTheLine);
+  await hand.lift(1);
+  await eventually("and the order over the wheel again", async () => !(await atTheLine()));
+  hadNoProblems(page);
+  await closePage(page);
+});
+
 test("one finger heaves while another turns the brake, and each lets go of its own", async () => {
   const page = await open("forecastle", [1024, 768]);
   const hand = await fingers(page);

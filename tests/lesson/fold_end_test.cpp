@@ -313,6 +313,19 @@ TEST(Assessment, AssessorsWordStandsBesideTheComputedMark) {
     EXPECT_NE(course.now().assessment_hash, before);
 }
 
+TEST(Assessment, NoteThatDoesNotFitTheWireSaysThatItIsCut) {
+    Course course(lesson(R"({"id": "a", "kind": "final", "that": {"stopper": "on"}})"));
+    course.windlass().stopper_closed = false;
+    course.run(1);
+    course.end();
+    course.say({.criterion = "a",
+                .verdict = exercise::AssessorVerdict::met,
+                .note = std::string(256, 'x'),
+                .by = "Ann"});
+    EXPECT_EQ(course.mark().reason.size(), 256U);
+    EXPECT_TRUE(course.mark().reason.ends_with("x ...")) << course.mark().reason;
+}
+
 TEST(Assessment, NothingChangesOnceTheLessonIsOver) {
     Course course(lesson(R"({"id": "a", "kind": "limit", "of": "cable_speed", "max": 3})",
                          R"(, "end": {"good": {"moment": "bottom"}, "time": 100})"));

@@ -5,6 +5,7 @@ import { h, setAttribute, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { canBeCancelled, isAnswered } from "../kit/order_done";
 import { isQuestion, orderMayBeBare, orderUnit } from "../kit/orders";
+import { TypedCount, kMostWords } from "../kit/typed_count";
 import { clock } from "../kit/units";
 import { capital, figureText, orderRows, orderText } from "../kit/words";
 import type { Connection } from "../wire/connection";
@@ -32,10 +33,10 @@ export class OrderPanel {
   private readonly pad = h("div", { class: "figure-pad", hidden: true, role: "group", lang: "en" });
   private readonly words = h("input", {
     type: "text",
-    maxLength: 255,
     placeholder: t("in own words"),
     "aria-label": t("order in own words"),
   });
+  private readonly typed = new TypedCount(this.words, kMostWords.order);
   private readonly vhf = h("p", { class: "vhf", role: "status" });
   private readonly refusal = h("p", { class: "refusal", role: "alert" });
   private readonly list = h("ol", { class: "said", "aria-label": t("said on the line"), tabIndex: 0 });
@@ -73,11 +74,12 @@ export class OrderPanel {
         onsubmit: (event: Event) => {
           event.preventDefault();
           const text = this.words.value.trim();
-          if (text) void this.give(C.BRIDGE_ORDER_TEXT, 0, text).then((given) => given && (this.words.value = ""));
+          if (text) void this.give(C.BRIDGE_ORDER_TEXT, 0, text).then((given) => given && this.typed.clear());
         },
       },
       this.words,
       h("button", { class: "plain" }, t("Say")),
+      this.typed.element,
     );
     this.element = h(
       "section",

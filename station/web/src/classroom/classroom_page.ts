@@ -3,6 +3,7 @@
 import { h, setText } from "../kit/dom";
 import { type Page, pageAddress } from "../kit/page";
 import { clock, figure } from "../kit/units";
+import { eventText } from "../kit/words";
 import type { OrderSample } from "../wire/connection";
 import type { ClassroomStatus, Event } from "../wire/generated";
 import { CctvPictures } from "./cctv";
@@ -109,7 +110,7 @@ class Classroom {
   }
 
   private tell(event: Event): void {
-    this.log.prepend(h("li", { "data-code": event.code }, event.text));
+    this.log.prepend(h("li", { "data-code": event.code }, eventText(event)));
     while (this.log.children.length > kLines) this.log.lastElementChild!.remove();
     if (event.code === "command.refused") setText(this.notice, event.text);
   }

@@ -7,10 +7,12 @@ import { pageAddress } from "../kit/page";
 import { runStateWords } from "../kit/run_state";
 import { clock, figure, sideWord } from "../kit/units";
 import { type AlertPriority, type ClassroomExercise, RunState } from "../wire/generated";
-import { t, translated } from "../kit/language";
+import { t } from "../kit/language";
+import { alertWords } from "../kit/words";
 
 /** The most urgent alert of an exercise that waits to be acknowledged, as the gateway tells it. */
 export interface TileAlert {
+  code: string;
   priority: AlertPriority;
   side: number;
   text: string;
@@ -101,8 +103,9 @@ export class Tile {
     const priority = priorityWords(alert.priority);
     setAttribute(this.alert, "data-priority", priorityName(alert.priority));
     const side = alert.side >= 0 ? `, ${sideWord(alert.side)}` : "";
+    const { text } = alertWords({ ...alert, explanation: "" });
     const more = alert.waiting > 1 ? `, ${t("and {count} more", { count: alert.waiting - 1 })}` : "";
-    setText(this.alert, `${priority}: ${translated(alert.text)}${side}, ${clock(alert.raised_time)}${more}`);
+    setText(this.alert, `${priority}: ${text}${side}, ${clock(alert.raised_time)}${more}`);
     setAttribute(this.alert, "title", t("to the desk of {id}", { id: this.id }));
   }
 

@@ -24,9 +24,11 @@ export interface Parted extends Pick<Word, "by" | "note"> {
 type Judged = Pick<Criterion, "code" | "kind" | "state" | "reason" | "counts" | "counted">;
 
 const kBrief = 2; // s between two marks of a replay, in which nothing was jumped over
+const kCut = / \.\.\.$/; // at the end of what the server has cut
 
 /**
- * The server puts a word at the reason's end, as "who: why", and a long one is cut there: what was given has the whole.
+ * The server puts a word at the reason's end, as "who: why", and a long one is cut there, with dots: what was given has
+ * the whole.
  * undefined: there is none.
  */
 export function parted(criterion: Judged, given: readonly Said[] = []): Parted | undefined {
@@ -34,7 +36,7 @@ export function parted(criterion: Judged, given: readonly Said[] = []): Parted |
   if (state !== CriterionState.CRITERION_OVERRIDDEN) return undefined;
   for (const { by, note } of given.filter((said) => said.criterion === code).reverse()) {
     const at = reason.lastIndexOf(`${by}: `);
-    const told = at < 0 ? "" : reason.slice(at + by.length + 2);
+    const told = at < 0 ? "" : reason.slice(at + by.length + 2).replace(kCut, "");
     if (told && note.startsWith(told)) return { computed: reason.slice(0, at).replace(/; $/, ""), by, note };
   }
   const alone = kind === CriterionKind.CRITERION_RUBRIC; // of which nothing is computed

@@ -1,7 +1,15 @@
 // Levers live: how they are set and how they are, whose hand has them; and the instructor's own hand.
 
 import { h, setAttribute, setText, setVariable } from "../kit/dom";
-import { type Authority, helmAuthority, ownerWords, takenWords, windlassAuthority } from "../kit/authority";
+import {
+  type Authority,
+  helmAuthority,
+  helmOrdered,
+  ownerWords,
+  takenWords,
+  windlassAuthority,
+  windlassOrdered,
+} from "../kit/authority";
 import { holdButton } from "../kit/hold_button";
 import { showsTopic } from "../kit/live";
 import { Men } from "../kit/men";
@@ -263,7 +271,7 @@ class WindlassCard extends Card {
   update(): void {
     const { link } = this.desk;
     const now = link.latest("WindlassLoad", this.side);
-    const set = this.authority().command ?? link.latest("WindlassCommand", this.side);
+    const set = this.authority().command ?? windlassOrdered(link, this.side);
     const clutch = now
       ? now.clutch === ClutchState.CLUTCH_ENGAGING
         ? 0.5
@@ -322,7 +330,7 @@ class HelmCard extends Card {
   update(): void {
     const { link } = this.desk;
     const now = link.latest("ShipState");
-    const set = this.authority().command ?? link.latest("HelmCommand");
+    const set = this.authority().command ?? helmOrdered(link);
     const [engine, rudder, bow, stern] = this.levers as [Lever, Lever, Lever, Lever];
     engine.show(100 * (set?.engine ?? NaN), 100 * (now?.engine ?? NaN));
     rudder.show(degrees(set?.rudder ?? NaN), degrees(now?.rudder ?? NaN));

@@ -6,7 +6,8 @@ import { showsTopic } from "../kit/live";
 import { clock, measures, figure } from "../kit/units";
 import { practiceSaid } from "../kit/own_marks";
 import { pointsSaid, soFar } from "../kit/points_said";
-import { outcomeSaid, saidOf, stateSaid } from "../kit/words";
+import { TypedCount, kMostWords } from "../kit/typed_count";
+import { endingSaid, outcomeSaid, saidOf, stateSaid } from "../kit/words";
 import {
   type Assessment,
   AssessorVerdict,
@@ -17,7 +18,7 @@ import {
 } from "../wire/generated";
 import { AssessorsWords, type Word } from "./assessors_words";
 import type { Desk } from "./desk";
-import { t, translated } from "../kit/language";
+import { t } from "../kit/language";
 
 const verdicts = [AssessorVerdict.VERDICT_MET, AssessorVerdict.VERDICT_NOT_MET, AssessorVerdict.VERDICT_NOT_APPLICABLE];
 const verdictSaid = (verdict: AssessorVerdict): string => saidOf("AssessorVerdict", verdict);
@@ -47,12 +48,12 @@ export class MarksPanel {
   );
   private readonly note = h("input", {
     "aria-label": t("note"),
-    placeholder: t("why, ten characters at least"),
+    placeholder: t("why, {least} to {most} characters", { least: kNoteMin, most: kMostWords.note }),
     minLength: kNoteMin,
-    maxLength: 255,
     required: true,
     class: "note",
   });
+  private readonly typed = new TypedCount(this.note, kMostWords.note);
   private readonly form = h(
     "form",
     {
@@ -66,6 +67,7 @@ export class MarksPanel {
     this.verdict,
     this.note,
     h("button", { class: "plain primary" }, t("Set")),
+    this.typed.element,
   );
   private readonly words = new AssessorsWords();
   private run = -1;
@@ -109,10 +111,9 @@ export class MarksPanel {
     const alone = finished ? score_computed : soFar(assessment, true).points;
     const points = pointsSaid(now.points, now.lost, finished ? outcomeSaid(assessment.outcome) : "");
     const computed = now.points === alone ? "" : ` (${t("computed {score}", { score: figure(alone, 1) })})`;
-    const early = assessment.ending === LessonEnding.LESSON_ENDED_EARLY; // and then it is said in words
-    const abort = assessment.abort
-      ? `, ${early ? translated(assessment.abort) : t("ended: {what}", { what: assessment.abort })}`
-      : "";
+    const early = assessment.ending === LessonEnding.LESSON_ENDED_EARLY; // which is a whole sentence
+    const why = endingSaid(assessment.abort);
+    const abort = assessment.abort && `, ${early ? why : t("ended: {what}", { what: why })}`;
     const practice = assessment.practice ? `; ${practiceSaid(assessment)}` : "";
     setText(this.head, `${clock(assessment.time)}  ${points}${computed}${abort}${practice}`);
     this.list.replaceChildren(...assessment.criteria.map((criterion) => this.row(criterion)));
@@ -160,6 +161,6 @@ export class MarksPanel {
     const by = this.desk.link.hello?.name ?? "";
     this.words.give({ by, criterion, note });
     const sent = await this.desk.give("AssessmentCommand", { criterion, verdict: this.verdict.value, milli: 0, note });
-    if (sent) this.note.value = "";
+    if (sent) this.typed.clear();
   }
 }

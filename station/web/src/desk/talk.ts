@@ -2,6 +2,7 @@
 
 import { h, setText } from "../kit/dom";
 import { orderMayBeBare, orderUnit, repeatState, written } from "../kit/orders";
+import { TypedCount, kMostWords } from "../kit/typed_count";
 import { clock, sideWord } from "../kit/units";
 import { orderRows } from "../kit/words";
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState } from "../wire/generated";
@@ -39,9 +40,9 @@ export class TalkPanel {
   private readonly words = h("input", {
     "aria-label": t("words of the order"),
     placeholder: t("words"),
-    maxLength: 255,
     class: "words",
   });
+  private readonly typed = new TypedCount(this.words, kMostWords.order);
   private run = -1;
 
   constructor(private readonly desk: Desk) {
@@ -65,6 +66,7 @@ export class TalkPanel {
       this.unit,
       this.words,
       h("button", { class: "plain primary" }, t("Order")),
+      this.typed.element,
     );
     this.element = h("div", { class: "talk-panel" }, this.list, form);
     const { link } = desk;
@@ -117,7 +119,7 @@ export class TalkPanel {
       value,
       text: this.words.value.trim(),
     });
-    if (sent) this.words.value = "";
+    if (sent) this.typed.clear();
   }
 
   /** An order of the run before may come late, or be known still; it was not given in this one. */

@@ -3,6 +3,7 @@
 import type { RunState } from "../wire/generated";
 import { t } from "../kit/language";
 import { clock } from "../kit/units";
+import { doorSaid } from "./door_sentences";
 
 /** Why the door did not. */
 export class Denied extends Error {
@@ -182,6 +183,8 @@ export interface TrainingClass {
   until: number;
   /** Its seats and its code are nobody's any more. */
   over: boolean;
+  /** How many words assessors have given on its attempts since the door was started. */
+  words: number;
   exercises: ClassExercise[];
 }
 
@@ -211,7 +214,7 @@ export interface Lessons {
 }
 
 async function answered<T>(answer: Response): Promise<T> {
-  if (!answer.ok) throw new Denied(answer.status, (await answer.text()).trim());
+  if (!answer.ok) throw new Denied(answer.status, doorSaid((await answer.text()).trim()));
   return (await answer.json()) as T;
 }
 

@@ -20,7 +20,9 @@ import {
   partWords,
   placeWords,
 } from "./ask";
+import { doorSaid } from "./door_sentences";
 import { field, form } from "./form";
+import { TypedCount, kMostWords } from "../kit/typed_count";
 import { t } from "../kit/language";
 
 /** In words: points, and what they mean once the lesson is over. */
@@ -81,10 +83,26 @@ export const lessonWords = (title: string, practice: boolean): (Node | string)[]
   ...(practice ? [`, ${t("for practice")}`] : []),
 ];
 
+const kObjective = /^(not yet|not shown): (.*)$/s;
+
+/** Why it is to be done: the history's own words, or objectives of a lesson, which are its author's. */
+export function whyNext(why: string): { said: string; objective: string }[] {
+  const parts = why.split(/; (?=not yet: |not shown: )/).map((part) => kObjective.exec(part));
+  if (!parts.every((part) => part !== null)) return [{ said: doorSaid(why), objective: "" }];
+  return parts.map((part) => ({ said: `${outcomeSaid(part[1]!)}: `, objective: part[2]! }));
+}
+
 /** The same, and why. */
 const nextWords = ({ title, why, practice }: Next): (Node | string)[] => [
   ...lessonWords(title, practice),
-  h("span", { class: "quiet", lang: "en" }, why),
+  h(
+    "span",
+    { class: "quiet" },
+    ...whyNext(why).flatMap(({ said, objective }, k) => [
+      `${k > 0 ? "; " : ""}${said}`,
+      objective && h("span", { lang: "en" }, objective),
+    ]),
+  ),
 ];
 
 /** Those who are to do the same next, in the order of their lessons. */
@@ -111,11 +129,10 @@ class WordOn {
   readonly element = h("div", { class: "word", hidden: true });
   private readonly said = h("p", { class: "quiet", role: "status" });
 
-  /** judges: who looks at it may give one. onGiven: what is to be practised next may be another thing now. */
+  /** judges: who looks at it may give one. */
   constructor(
     private readonly of: ClassExercise,
     judges: boolean,
-    private readonly onGiven: () => void,
   ) {
     this.element.append(this.said);
     if (judges && of.outcome !== "practice") this.element.append(this.form()); // that shows no competence
@@ -136,7 +153,8 @@ class WordOn {
     );
     if (this.of.outcome) outcome.value = this.of.outcome;
     const points = h("input", { type: "number", min: 0, max: 100, step: "any" });
-    const note = h("input", { required: true, minLength: kNoteMin, maxLength: 255, autocomplete: "off" });
+    const note = h("input", { required: true, minLength: kNoteMin, autocomplete: "off" });
+    const typed = new TypedCount(note, kMostWords.note);
     const details = h(
       "details",
       {},
@@ -146,7 +164,8 @@ class WordOn {
         [
           field(t("Outcome"), outcome),
           field(t("Points"), points, t("of 100; none: as they stand")),
-          field(t("Why"), note, t("10 characters at least")),
+          field(t("Why"), note, t("{least} to {most} characters", { least: kNoteMin, most: kMostWords.note })),
+          typed.element,
         ],
         async () => {
           this.take(
@@ -157,9 +176,8 @@ class WordOn {
               note: note.value.trim(),
             }),
           );
-          note.value = "";
+          typed.clear();
           details.open = false;
-          this.onGiven();
         },
       ),
     );
@@ -207,11 +225,17 @@ const tellNext: typeof fillNext = (...of) => fillNext(...of).catch(() => {});
 /** Begins a class of those who are to do the same next. */
 export type Open = (group: Next[], from?: Again) => void;
 
+export interface ClassMarks {
+  element: HTMLElement;
+  /** So many words have been given: by another one what is to be practised next may be another thing, too. */
+  heard: (words: number) => void;
+}
+
 /**
  * A class that is over. title: of its lesson. judges: who looks at it may say what an attempt comes to. open: nothing,
  * for who may open none.
  */
-export function classMarks(it: TrainingClass, title: string, judges: boolean, open?: Open): HTMLElement {
+export function classMarks(it: TrainingClass, title: string, judges: boolean, open?: Open): ClassMarks {
   const cells = new Map<string, HTMLElement>();
   const words: WordOn[] = [];
   const list = h("p", { class: "row next" });
@@ -223,7 +247,7 @@ export function classMarks(it: TrainingClass, title: string, judges: boolean, op
   /** One is said of all who worked in it: with the first whose marks they are. */
   const wordOn = (each: ClassExercise, part: Part): Node[] => {
     if (!each.recording || part !== each.parts.find(({ judged }) => judged)) return [];
-    const word = new WordOn(each, judges, () => void tellNext(it, cells, words, list, open));
+    const word = new WordOn(each, judges);
     words.push(word);
     return [word.element];
   };
@@ -246,10 +270,13 @@ export function classMarks(it: TrainingClass, title: string, judges: boolean, op
       ),
     ),
   );
-  if (rows.length === 0) return h("p", { class: "quiet" }, t("Nobody sat in this class."));
+  if (rows.length === 0)
+    return { element: h("p", { class: "quiet" }, t("Nobody sat in this class.")), heard: () => {} };
   const heads = [t("Trainee"), t("Seat"), t("Marks"), t("Talk it over"), t("What next")];
-  void tellNext(it, cells, words, list, open);
-  return h(
+  const look = (): void => void tellNext(it, cells, words, list, open);
+  look();
+  let known = it.words;
+  const element = h(
     "section",
     { class: "panel class-marks" },
     h("h2", {}, `${it.id}: `, ...lessonWords(title, it.practice)),
@@ -267,4 +294,10 @@ export function classMarks(it: TrainingClass, title: string, judges: boolean, op
       h("a", { href: `/door/marks.csv?class=${it.id}`, download: `${it.id}.csv` }, t("As a table (CSV)")),
     ),
   );
+  const heard = (given: number): void => {
+    if (given === known) return;
+    known = given;
+    look();
+  };
+  return { element, heard };
 }

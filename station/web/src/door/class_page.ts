@@ -22,7 +22,8 @@ import {
   partWords,
   placeWords,
 } from "./ask";
-import { classMarks, lessonWords, marksOf } from "./class_marks";
+import { type ClassMarks, classMarks, lessonWords, marksOf } from "./class_marks";
+import { doorSaid } from "./door_sentences";
 import { frame } from "./frame";
 import { kiosks } from "./kiosks";
 import { type NewClass, newClass } from "./new_class";
@@ -66,6 +67,8 @@ class ClassPage {
   private readonly cctv = new CctvPictures(new Connection(""));
   /** Of each part, what it was made of. */
   private readonly made = new Map<HTMLElement, string>();
+  /** Of the class that is over and looked at. */
+  private marks: ClassMarks | undefined;
   private heard = false;
   /** Which class is looked at; none: a new one is made. */
   private chosen: string | undefined;
@@ -136,8 +139,10 @@ class ClassPage {
   private show(known: Classes): void {
     this.known = known;
     const gone = this.chosen !== kKiosks && !known.classes.some(({ id }) => id === this.chosen);
-    if (this.chosen !== undefined && gone) this.chosen = undefined;
-    else if (!this.heard) this.chosen = known.classes.find(({ over }) => !over)?.id;
+    if (gone) this.chosen = undefined;
+    // Who opens none has nothing to look at but a class: one that goes on, or else the last that is over.
+    if (this.chosen === undefined && !(this.heard && this.leads))
+      this.chosen = (known.classes.find(({ over }) => !over) ?? (this.leads ? undefined : known.classes.at(-1)))?.id;
     this.heard = true;
     this.draw();
   }
@@ -155,15 +160,20 @@ class ClassPage {
     this.fill(this.tabs, [tabs, this.chosen], () => this.tabsNow());
     const it = this.known.classes.find(({ id }) => id === this.chosen);
     const open = this.leads ? (group: Next[], from?: Again) => this.goOn(group, from) : undefined;
-    this.fill(this.body, it?.over ? [it, this.titleOf(it)] : [it?.id ?? this.chosen, it?.exercises.length], () => {
+    const over = it?.over && [{ ...it, words: 0 }, this.titleOf(it)]; // a word changes what stands in it, by itself
+    this.fill(this.body, over || [it?.id ?? this.chosen, it?.exercises.length], () => {
       if (this.chosen === kKiosks && this.devices) return [this.devices];
-      if (it?.over) return [classMarks(it, this.titleOf(it), this.judges, open)];
+      if (it?.over) {
+        this.marks = classMarks(it, this.titleOf(it), this.judges, open);
+        return [this.marks.element];
+      }
       if (it) {
         this.made.clear();
         return [this.code, this.bar(it), this.exercises(it)];
       }
       return [this.leads ? this.newClass.shown() : h("p", { class: "quiet" }, t("There is no class."))];
     });
+    if (it?.over) this.marks?.heard(it.words);
     if (it && !it.over) {
       this.fill(this.code, [it.code, this.known.names, this.known.port], () => [this.door(it)]);
       this.fill(this.said, [this.titleOf(it), standing(it), waiting(it), this.mover], () => this.saidNow(it));
@@ -309,7 +319,7 @@ class ClassPage {
     tile.state.toggleAttribute("data-lost", each.state !== null && !each.heard);
     const begun = each.points !== null && each.state !== RunState.RUN_READY;
     setText(tile.state, begun ? `${stateOf(each)}, ${marksOf(each)}` : stateOf(each));
-    setText(tile.trouble, each.trouble || endsBySilence(each));
+    setText(tile.trouble, doorSaid(each.trouble) || endsBySilence(each));
     const seats = each.seats.map((seat) => ({ ...seat, doing: doing(each, seat) }));
     const gone = each.parts.filter(({ until }) => until !== null);
     this.fill(tile.seats, [seats.map(({ place, name, doing: it }) => [place, name, it]), gone, this.mover], () => [

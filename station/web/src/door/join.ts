@@ -2,9 +2,10 @@
 
 import { h } from "../kit/dom";
 import { type Me, act, ask } from "./ask";
+import { doorSaid } from "./door_sentences";
 import { field, form } from "./form";
 import { frame } from "./frame";
-import { t, translated } from "../kit/language";
+import { t } from "../kit/language";
 import { capital } from "../kit/words";
 import { whySentAway } from "../wire/connection";
 
@@ -58,7 +59,7 @@ export function makeJoin(): void {
     h(
       "div",
       { class: "narrow" },
-      h("p", { class: "notice", role: "status" }, capital(translated(whySentAway()))),
+      h("p", { class: "notice", role: "status" }, capital(doorSaid(whySentAway()))),
       form(
         t("Take a seat"),
         [

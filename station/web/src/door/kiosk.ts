@@ -4,6 +4,7 @@
 import { h, setText } from "../kit/dom";
 import { t } from "../kit/language";
 import { Denied, type Me, act, placeWords } from "./ask";
+import { doorSaid } from "./door_sentences";
 import { frame } from "./frame";
 
 const kAgain = 2000; // ms
@@ -41,7 +42,7 @@ export async function makeKiosk(): Promise<void> {
       }
       const place = placeWords[me.place ?? "ship"];
       setText(seat, t("{name}: {place} of exercise {number}", { name: me.name ?? "", place, number: me.number ?? 0 }));
-      setText(why, me.why ?? t("Waits for a class that has this seat. Nothing has to be done here."));
+      setText(why, me.why ? doorSaid(me.why) : t("Waits for a class that has this seat. Nothing has to be done here."));
     } catch (refused) {
       const denied = refused instanceof Denied && refused.status === 401;
       setText(why, denied ? refused.message : t("The door is not heard: tries again"));

@@ -3,6 +3,7 @@
 import { faultForm } from "../desk/fault_form";
 import { faults } from "../desk/fault_words";
 import { h } from "../kit/dom";
+import { TypedCount, kMostWords } from "../kit/typed_count";
 import type { OrderSample } from "../wire/connection";
 import { t, translated } from "../kit/language";
 
@@ -77,13 +78,14 @@ function faultDialog(give: Give, refuse: (text: string) => void): HTMLDialogElem
 }
 
 function wordsDialog(give: Give): HTMLDialogElement {
-  const words = h("input", { "aria-label": t("words to all"), maxLength: 256, required: true });
+  const words = h("input", { "aria-label": t("words to all"), required: true });
+  const typed = new TypedCount(words, kMostWords.order);
   const send = async (event: Event): Promise<void> => {
     event.preventDefault();
     const sample = { code: "BRIDGE_ORDER_TEXT", side: -1, text: words.value.trim() };
     const what = t("“{words}” said", { words: sample.text });
     if (!sample.text || !(await give("BridgeOrderCommand", sample, what))) return;
-    words.value = "";
+    typed.clear();
     dialog.close();
   };
   const dialog: HTMLDialogElement = h(
@@ -94,6 +96,7 @@ function wordsDialog(give: Give): HTMLDialogElement {
       { onsubmit: (event: Event) => void send(event) },
       h("p", {}, t("The bridge says it to every forecastle, where the VHF works.")),
       words,
+      typed.element,
       h(
         "div",
         { class: "bar" },

@@ -29,6 +29,7 @@ import { SceneView } from "./scene_view";
 import { Sounds } from "./sounds";
 import { Stand } from "./stand";
 import { Work } from "./work";
+import { unfoldButton } from "../kit/unfold";
 import { t } from "../kit/language";
 import { eventText } from "../kit/words";
 
@@ -39,6 +40,22 @@ const alarmWords: Partial<Record<AlertPriority, string>> = {
   [AlertPriority.ALERT_ALARM]: t("an alarm sounds"),
   [AlertPriority.ALERT_EMERGENCY]: t("the emergency alarm sounds"),
 };
+
+/** The panel of the orders. On a phone it is a line of the newest, which a touch of its words or its button unfolds. */
+function heard(orders: Orders): HTMLElement {
+  const element = h(
+    "section",
+    { class: "panel heard", "aria-label": t("orders") },
+    h("h2", {}, t("Orders from the bridge")),
+    orders.element,
+  );
+  const unfold = unfoldButton(element, t("all orders"), "\u25be");
+  orders.element.addEventListener("click", ({ target }) => {
+    if (!(target as Element).closest("button")) unfold.click();
+  });
+  element.append(unfold);
+  return element;
+}
 
 /** Opens the page in <main id="page">. */
 export function openForecastle(): void {
@@ -74,12 +91,7 @@ export function openForecastle(): void {
     firstVisit.element,
     scene.element,
     stand.element,
-    h(
-      "section",
-      { class: "panel heard", "aria-label": t("orders") },
-      h("h2", {}, t("Orders from the bridge")),
-      orders.element,
-    ),
+    heard(orders),
     reports.element,
     h("section", { class: "panel noticed", "aria-label": t("log") }, h("h2", {}, t("Log")), new Log(link).element),
   );

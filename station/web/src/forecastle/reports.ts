@@ -7,6 +7,7 @@ import { h, setAttribute, setText, svg } from "../kit/dom";
 import { type PadLeaf, allSaid, capital, orderRows, padLeaves, placeOf, reportRows, saidOf } from "../kit/words";
 import { figurePad } from "./pad";
 import { Popover } from "../kit/popover";
+import { TypedCount, kMostWords } from "../kit/typed_count";
 import type { Work } from "./work";
 import { t, translated } from "../kit/language";
 
@@ -258,9 +259,10 @@ export class Reports {
   }
 
   private words(): HTMLElement {
-    const field = h("input", { type: "text", maxLength: 120, "aria-label": t("report in own words") });
+    const field = h("input", { type: "text", "aria-label": t("report in own words") });
+    const typed = new TypedCount(field, kMostWords.report);
     const say = (code: ReportCode): void => {
-      const text = field.value.trim();
+      const text = typed.text();
       if (text) this.say(code, { text });
       else field.focus();
     };
@@ -275,6 +277,7 @@ export class Reports {
       field,
       h("button", { class: "primary", onclick: () => say(ReportCode.REPORT_TEXT) }, t("Report")),
       h("button", { onclick: () => say(ReportCode.REPORT_DEFECT) }, t("Report a defect")),
+      typed.element,
     );
   }
 }

@@ -92,6 +92,7 @@ export class SpeedLever {
       slot.setPointerCapture(event.pointerId);
       slot.focus({ preventScroll: true });
       this.pointer = event.pointerId;
+      setAttribute(slot, "data-held", "");
       this.hand.move(this.valueAt(event));
     });
     slot.addEventListener("pointermove", (event) => {
@@ -100,6 +101,7 @@ export class SpeedLever {
     const leave = (event: PointerEvent): void => {
       if (event.pointerId !== this.pointer) return;
       this.pointer = undefined;
+      setAttribute(slot, "data-held", undefined);
       this.latched = event.type === "pointerup" && event.shiftKey;
       if (this.latched) this.hand.latch();
       else this.hand.release();

@@ -43,6 +43,16 @@ export function helmAuthority(link: Connection, now: number): Authority<HelmComm
   return authority(link, helmSpeaker(link, now), link.holds("helm"));
 }
 
+/** Set points of a windlass as they were given last, by whichever hand: they stand when it has left. */
+export function windlassOrdered(link: Connection, side: number): WindlassCommand | undefined {
+  return newer(link.track("WindlassCommand", side), link.track("InstructorWindlassCommand", side));
+}
+
+/** The same of the helm. BridgeView and ShipState have what engine, rudder and thrusters do, not what was ordered. */
+export function helmOrdered(link: Connection): HelmCommand | undefined {
+  return newer(link.track("HelmCommand"), link.track("InstructorHelmCommand"));
+}
+
 /** For people: "mine", "instructor has taken over", "trainee-2", "nobody". */
 export function ownerWords({ owner, name }: Omit<Authority<unknown>, "command">): string {
   if (owner === "instructor") return t("instructor has taken over");
@@ -92,6 +102,11 @@ function speaker<Command>(
   const instructor = spoken(instructors, within, now);
   const command = instructor ?? spoken(trainees, within, now);
   return command && { command, instructor: instructor !== undefined };
+}
+
+function newer<Command>(one: readonly Heard<Command>[], other: readonly Heard<Command>[]): Command | undefined {
+  const [a, b] = [one.at(-1), other.at(-1)];
+  return (b && (!a || b.at > a.at) ? b : a)?.sample;
 }
 
 /** The newest command, while somebody speaks. One sample alone may be an old one, kept by the station. */

@@ -26,7 +26,7 @@ export function leave(log: Iterable<{ time: number; left: boolean }>, event: Tol
  */
 export class Before {
   private from = -Infinity; // s, of that moment
-  private given = new Set<string>(); // that were heard here
+  private readonly given = new Set<string>(); // that were heard here
 
   /** All of the log comes again. */
   clear(): void {

@@ -80,6 +80,19 @@ export const typedFigure = (text: string): string => text.trim().replace(/^([^.,
 
 const kPlace = /\{[^}]*\}/g;
 
+/** Words of ours, or a list of them, each with its number: "2 unsolved, 1 too long". */
+function filledIn(given: string): string {
+  const whole = translated(given);
+  if (whole !== given) return whole;
+  return given
+    .split(", ")
+    .map((part) => {
+      const [, count = "", words = ""] = /^(\d+ )?(.*)$/s.exec(part) ?? [];
+      return count + translated(words);
+    })
+    .join(", ");
+}
+
 /**
  * What the server made of a sentence with places {0}, {.1} ..., in the person's language; what it filled in, as far as
  * the catalogue has it, but for places with a name. As it came where it is another sentence.
@@ -93,7 +106,7 @@ export function translatedAs(template: string, text: string): string {
   const filled = (place: string): string => {
     const given = found?.[places.indexOf(place) + 1] ?? "";
     if (/^[\d.]+$/.test(given)) return writtenFigure(given);
-    return /[a-z]/.test(place) ? given : translated(given);
+    return /[a-z]/.test(place) ? given : filledIn(given);
   };
   return found ? sentence.replace(kPlace, filled) : text;
 }

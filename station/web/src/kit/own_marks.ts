@@ -16,7 +16,7 @@ import { inChosenUnits } from "./figures_in_text";
 import type { OwnSeat } from "./instructions";
 import { written } from "./orders";
 import { clock, measures } from "./units";
-import { capital, outcomeSaid, reportRows, saidOf, stateSaid } from "./words";
+import { capital, endingSaid, outcomeSaid, reportRows, saidOf, stateSaid } from "./words";
 import { t } from "./language";
 
 const kToWorkOn = 3; // criteria that are named first: nobody mends ten things at once
@@ -207,7 +207,7 @@ export class OwnMarks {
           {},
           assessment.ending === LessonEnding.LESSON_ENDED_EARLY
             ? t("It was ended before its lesson was done.")
-            : t("It ended before it was done: {why}.", { why: assessment.abort }),
+            : t("It ended before it was done: {why}.", { why: endingSaid(assessment.abort) }),
         ),
       reckoning(assessment),
       section(t("To work on next time"), wrong.slice(0, kToWorkOn).map(criterionRow)),
@@ -306,9 +306,7 @@ function reckoning({ criteria, objectives, abort }: Assessment): HTMLElement | f
       missed.length > 0 &&
       t("What was kept counts in the measure in which the rest was done, and the points in play make up 100."),
     (abort !== "" || missed.some(({ must }) => must) || objectives.some(failsLesson)) &&
-      t(
-        "A must that was missed, an objective below half of its points, or a bridge that had no answer, halves all, once.",
-      ),
+      t("A missed must, an objective below half of its points, or a bridge without an answer halves the whole, once."),
   ].filter((rule) => rule !== false);
   return rules.length > 0 && h("p", { class: "quiet" }, rules.join(" "));
 }

@@ -27,9 +27,38 @@ const noHint = [
   "No single lever is known that would keep what is being lost.",
 ];
 
+/** What the model has counted of its steps, within other sentences; {1} lists how many of each kind. */
+export const modelSteps = "of {0} steps of the cables {1}";
+export const stepKinds: readonly string[] = [
+  "implicit",
+  "unsolved",
+  "with friction of the step's start",
+  "with contacts unsettled",
+  "with contacts left out",
+  "too long",
+];
+
+/** Why a lesson ended before it was done, where it is no event's code. */
+export const endings: readonly string[] = [
+  "ended before its lesson was done",
+  'the bridge had no answer to "{order}"',
+  'the bridge heard no more after "{order}"',
+  "the bridge heard nothing",
+  'the bridge was repeated wrongly: "{order}"',
+  'the bridge was told what is not so when it asked "{order}"',
+  "time is up",
+];
+
 export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   ...(Object.fromEntries(ofOrders) as Record<string, string[]>),
+  "anchor.fouled": ["anchor is foul of her own cable"],
+  "assessment.finished": [
+    "lesson {lesson} is over: {0} points, achieved",
+    "lesson {lesson} is over: {0} points, not_yet",
+    "lesson {lesson} is over: {0} points, not_shown",
+  ],
   "assessment.unanswered": ["the bridge asks again: if it hears nothing it gives up at {0} s, and the lesson ends"],
+  "cable.parted": ["cable has parted {0} m from the anchor: anchor lost"],
   "cable.shackle": [
     "{0} shackle on deck, heaving",
     "{0} shackles on deck, heaving",
@@ -37,6 +66,10 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
     "{0} shackles in the pipe",
   ],
   "cable.turns": ["{0} turns in the cable: links no longer lie fair"],
+  "classroom.created": ["exercise {id} ({file}) created by {name}"],
+  "classroom.gave_way": ["exercise {id} closed by {name}: server {other} has one of this name already"],
+  "classroom.reading": ["exercise {id}: the order of {name} takes its time, an exercise is being read"],
+  "classroom.removed": ["exercise {id} removed by {name}"],
   "clutch.refused": [
     "clutch is loaded and does not come out",
     "clutch is broken",
@@ -46,15 +79,27 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   "deck_work.begun": ["men begin: {0}"],
   "deck_work.endangered": ["the cable moves while men are at it: {0}"],
   "deck_work.waits": ["men wait: {0}"],
+  "environment.changed": ["weather is being changed by the instructor", "weather changed by the instructor"],
+  "exercise.bookmark": ["bookmark"],
   "exercise.checkpoint": ["checkpoint taken by {name}"],
-  "exercise.finished": ["exercise finished: {reason}"],
+  "exercise.finished": ["exercise finished: by {name}", "exercise finished: the set duration was run"],
+  "exercise.kept": ["kept on disk again"],
   "exercise.loaded": ["exercise loaded by {name}"],
+  "exercise.not_kept": ["not kept on disk: {why}"],
+  "exercise.not_taken_up": ["begins anew after the server was lost: {why}"],
   "exercise.paused": ["exercise holds for a question", "exercise paused by {name}"],
   "exercise.prediction": ["predictions on by {name}", "predictions off by {name}"],
+  "exercise.reading": ['exercise "{file}" is being read for {name}'],
   "exercise.reset": ["exercise reset by {name}"],
-  "exercise.restored": ["exercise restored to {0} s, paused, by {name}"],
+  "exercise.restored": [
+    "exercise restored to {0} s, paused, from a checkpoint by {name}",
+    "exercise restored to {0} s, paused, from {from} by {name}",
+    "exercise restored to {0} s, paused, by {name}",
+  ],
   "exercise.resumed": ["exercise goes on", "exercise resumed by {name}"],
   "exercise.started": ["exercise started by {name}"],
+  "exercise.stopped_by_fault": ["exercise stopped: {why}"],
+  "exercise.taken_up": ["taken up again at {time} after the server was lost, {0}"],
   "exercise.time_scale": ["time scale {0} by {name}"],
   "fault.active": ["{0} is active"],
   "fault.armed": ["{0} is armed"],
@@ -68,7 +113,17 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
     ...noHint,
   ],
   "hint.forecastle": [...hints, ...noHint],
+  "lesson.over": [
+    "the lesson is over: an order was repeated back wrongly to the last",
+    "the lesson is over: it has run its course",
+    "the lesson is over: it was ended",
+    "the lesson is over: its time is up",
+    "the lesson is over: the bridge had no answer",
+    "the lesson is over: the bridge was told what is not so",
+    "the lesson is over: what has happened ends it",
+  ],
   "levers.lost": [
+    "its last hand is not at the levers: nobody has the {0}; {1}",
     "{name} is not at the levers: nobody has the {0}; {1}",
     "{name} is no longer heard and nobody has the {0}: {1}",
     "nobody has moved the levers of the {0} yet: {1}",
@@ -78,7 +133,12 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
     "{name} has the {0}, handed back by {other}",
     "{name} has the {0}",
   ],
+  "model.in_doubt": ["in the last 10 s {steps}"],
+  "model.steps": ["in the last minute {steps}"],
   "order.not_heard": ["no answer from the forecastle; ordered: {order}"],
+  "question.answered": ["{0} answers ({id}): {answer}"],
+  "question.asked": ["{0} is asked ({id}): {question}"],
+  "question.passed_over": ["{id}: {name} goes on without an answer"],
   "report.bell": ["bell: {0} strokes", "bell: {0} stroke", "bell: rung rapidly"],
   "report.made": ["reported: {report}"],
   "report.not_heard": ["no answer from the bridge; reported: {report}"],

@@ -10,6 +10,7 @@ import { UnitChoice } from "./unit_choice";
 import { clock, figure } from "./units";
 import { t } from "./language";
 import { languageButton } from "./language_choice";
+import { unfoldButton } from "./unfold";
 
 export class TopBar {
   readonly element: HTMLElement;
@@ -55,7 +56,9 @@ export class TopBar {
       choice,
     );
     this.name(title);
-    if (alerts) this.follow(link);
+    if (!alerts) return;
+    choice.before(unfoldButton(this.element, t("more buttons"), "\u2630"));
+    this.follow(link);
   }
 
   /** Whose page it is. */

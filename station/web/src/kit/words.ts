@@ -15,7 +15,7 @@ import {
 } from "../wire/generated";
 import { translated, translatedAs } from "./language";
 import { type Unit, sideName, sideWord } from "./units";
-import { serverSentences } from "./server_sentences";
+import { endings, modelSteps, serverSentences } from "./server_sentences";
 
 type Enumeration = keyof typeof enumerations;
 
@@ -201,6 +201,22 @@ const eventRows: readonly EventRow[] = [...events.waited_for.oneOf, ...events.to
 const withFaultSaid = (text: string): string =>
   text.replace(/^\S+/, (name) => enumerations.FaultCode.oneOf.find((row) => row.const === name)?.said ?? name);
 
+const kSteps = /of \d+ steps of the cables [^.]+/;
+/** What the model counts of its steps stands within other sentences. */
+const withSteps = (text: string): string => text.replace(kSteps, (steps) => translatedAs(modelSteps, steps));
+
+/** Why a lesson ended before it was done: an event's sentence that has no figure, or the judge's. */
+export function endingSaid(abort: string): string {
+  const row = eventRows.find((each) => each.const === abort);
+  const said = [row?.said, row?.seat_said].find((each) => each?.includes("{") === false);
+  if (said) return translated(said);
+  for (const sentence of endings) {
+    const found = translatedAs(sentence, abort);
+    if (found !== abort) return found;
+  }
+  return abort;
+}
+
 /** An event's sentence in the person's language, as it came where that has none. */
 export function eventText({ code, text: given }: { code: string; text: string }): string {
   const text = code.startsWith("fault.") ? withFaultSaid(given) : given;
@@ -208,7 +224,7 @@ export function eventText({ code, text: given }: { code: string; text: string })
   const sentences = [row?.seat_said, row?.said, ...(serverSentences[code] ?? [])];
   for (const sentence of sentences) {
     const found = sentence === undefined ? text : translatedAs(sentence, text);
-    if (found !== text) return found;
+    if (found !== text) return withSteps(found);
   }
   return given;
 }
@@ -233,6 +249,6 @@ export function alertWords(alert: { code: string; text: string; explanation: str
   if (!row) return alert;
   return {
     text: translatedAs(row.said, alert.text),
-    explanation: translatedAs(row.explanation, alert.explanation),
+    explanation: withSteps(translatedAs(row.explanation, alert.explanation)),
   };
 }

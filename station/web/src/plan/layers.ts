@@ -3,6 +3,7 @@
 import { bearing, figure, kNauticalMile, knots } from "../kit/units";
 import type { PlanColours } from "./colours";
 import { contours as contoursOf } from "./contours";
+import { type Lettering, around, letter, rank } from "./lettering";
 import { type Context, grip, label, line, ring, stroke } from "./pen";
 import type { PlanCircle, PlanFlow, PlanLine, PlanMark, PlanPicture, PlanShip, PlanSounding } from "./picture";
 import { type Pixel, type Projection, ofShip, pointAt } from "./projection";
@@ -11,13 +12,17 @@ import { t } from "../kit/language";
 
 const kSymbolBelow = 14; // px of length, under which a ship is a symbol
 const kSoundingsApart = 52; // px, at least: fewer figures than the chart has, where it is shown small
+const kSign = 8; // px, half of a mark's sign
 const kFiguresApart = 300; // px along a contour, from one of its figures to the next
+const kHullBoxes = 7; // along her hull, in which nothing is written: she is some seven beams long
 const kVectorMinutes = 6; // her place after so many minutes, as ECDIS draws it at anchor speeds
 
 export interface Sheet {
   c: Context;
   at: Projection;
   colours: PlanColours;
+  /** Names and figures, which are written over all that is drawn. */
+  lettering: Lettering;
 }
 
 /** The largest round length (1, 2, 5 times a power of ten; m, from a mile on miles) not above that one, m. */
@@ -36,8 +41,8 @@ export function distanceText(metres: number): string {
 }
 
 /** Lines of equal depth, each with its figure on it here and there. */
-export function contours({ c, at, colours }: Sheet, chart: PlanSounding[]): void {
-  const figures: { text: string; at: Pixel }[] = [];
+export function contours(sheet: Sheet, chart: PlanSounding[]): void {
+  const { c, at, colours } = sheet;
   for (const { depth, points } of contoursOf(chart)) {
     const pixels = points.map(({ x, y }) => at.toScreen(x, y));
     c.beginPath();
@@ -50,40 +55,46 @@ export function contours({ c, at, colours }: Sheet, chart: PlanSounding[]): void
       if (last) before += Math.hypot(p.x - last.x, p.y - last.y);
       if (before < kFiguresApart) return;
       before = 0;
-      figures.push({ text: `${depth}`, at: p });
+      letter(sheet, rank.contour, `${depth}`, p, colours.contour, "center");
     });
   }
-  for (const { text, at: place } of figures) label(c, text, place, colours.contour, colours.sea, "center");
 }
 
-export function soundings({ c, at, colours }: Sheet, all: PlanSounding[]): void {
+export function soundings({ c, at, colours, lettering }: Sheet, all: PlanSounding[]): void {
   const apart = 2 ** Math.ceil(Math.log2(kSoundingsApart / at.scale)); // by octaves, so that zooming does not stir them
   for (const s of thin(all, apart)) {
     const p = at.toScreen(s.x, s.y);
     if (p.x < -20 || p.y < -20 || p.x > at.width + 20 || p.y > at.height + 20) continue;
     const whole = Math.floor(s.depth + 1e-6);
-    const tenth = Math.floor((s.depth - whole) * 10 + 1e-6);
-    c.fillStyle = colours.quiet;
-    c.textBaseline = "middle";
-    c.textAlign = "right";
-    c.fillText(`${whole}`, p.x, p.y);
-    c.textAlign = "left";
-    if (whole < 31 && tenth > 0) {
-      c.save();
-      c.font = c.font.replace(/\d+px/, "9px");
-      c.fillText(`${tenth}`, p.x + 1, p.y + 4);
-      c.restore();
-    }
-    if (s.letter) {
-      c.save();
-      c.font = `italic ${c.font}`;
-      c.fillText(s.letter, p.x + 8, p.y - 1);
-      c.restore();
-    }
+    const box = { left: p.x - c.measureText(`${whole}`).width, top: p.y - 7, right: p.x + 17, bottom: p.y + 9 };
+    lettering.add(rank.sounding, box, () => sounding(c, s, whole, p, colours.quiet));
   }
 }
 
-export function rings({ c, at, colours }: Sheet, ship: PlanShip, interval: number): void {
+/** Whole metres, tenths small behind them where they count, and the soil. */
+function sounding(c: Context, { depth, letter: soil }: PlanSounding, whole: number, p: Pixel, colour: string): void {
+  const tenth = Math.floor((depth - whole) * 10 + 1e-6);
+  c.fillStyle = colour;
+  c.textBaseline = "middle";
+  c.textAlign = "right";
+  c.fillText(`${whole}`, p.x, p.y);
+  c.textAlign = "left";
+  if (whole < 31 && tenth > 0) {
+    c.save();
+    c.font = c.font.replace(/\d+px/, "9px");
+    c.fillText(`${tenth}`, p.x + 1, p.y + 4);
+    c.restore();
+  }
+  if (soil) {
+    c.save();
+    c.font = `italic ${c.font}`;
+    c.fillText(soil, p.x + 8, p.y - 1);
+    c.restore();
+  }
+}
+
+export function rings(sheet: Sheet, ship: PlanShip, interval: number): void {
+  const { c, at, colours } = sheet;
   const centre = at.toScreen(ship.x, ship.y);
   const reach = Math.hypot(at.width, at.height);
   for (let k = 1; k <= 8; ++k) {
@@ -92,7 +103,8 @@ export function rings({ c, at, colours }: Sheet, ship: PlanShip, interval: numbe
     c.globalAlpha = 0.6;
     ring(c, centre, radius, { colour: colours.grid });
     c.globalAlpha = 1;
-    label(c, distanceText(k * interval), { x: centre.x, y: centre.y + radius }, colours.quiet, colours.sea, "center");
+    const foot = { x: centre.x, y: centre.y + radius };
+    letter(sheet, rank.ring, distanceText(k * interval), foot, colours.quiet, "center");
   }
 }
 
@@ -143,7 +155,8 @@ function inSight(at: Projection, centre: Pixel, radius: number, first: number): 
   return undefined;
 }
 
-export function circles({ c, at, colours }: Sheet, all: PlanCircle[]): void {
+export function circles(sheet: Sheet, all: PlanCircle[]): void {
+  const { c, at, colours } = sheet;
   for (const circle of all) {
     const centre = at.toScreen(circle.x, circle.y);
     const radius = circle.radius * at.scale;
@@ -159,12 +172,13 @@ export function circles({ c, at, colours }: Sheet, all: PlanCircle[]): void {
     }
     const text = `${circle.label} ${distanceText(circle.radius)}${circle.left ? `, ${t("LEFT|circle")}` : ""}`;
     const place = inSight(at, centre, radius, kLabelTurn[circle.kind]);
-    if (place) label(c, text, place, colours.text, colours.sea, "center");
+    if (place) letter(sheet, circle.left ? rank.left : rank.own, text, place, colours.text, "center");
     if (circle.editable) grip(c, { x: centre.x + radius, y: centre.y }, colour, colours.sea);
   }
 }
 
-export function marks({ c, at, colours }: Sheet, all: PlanMark[]): void {
+export function marks(sheet: Sheet, all: PlanMark[]): void {
+  const { c, at, colours, lettering } = sheet;
   for (const mark of all) {
     const p = at.toScreen(mark.x, mark.y);
     const pen = { colour: colours.anchor, width: 2 };
@@ -177,7 +191,8 @@ export function marks({ c, at, colours }: Sheet, all: PlanMark[]): void {
       c.closePath();
       stroke(c, pen);
     }
-    label(c, mark.label, { x: p.x + 11, y: p.y }, colours.text, colours.sea);
+    lettering.keep(around(p, kSign));
+    letter(sheet, rank.own, mark.label, { x: p.x + 11, y: p.y }, colours.text);
   }
 }
 
@@ -200,8 +215,10 @@ function anchorSign(c: Context, x: number, y: number, colours: PlanColours): voi
   stroke(c, { colour: colours.anchor, width: 2 });
 }
 
-export function ownShip({ c, at, colours }: Sheet, ship: PlanShip): void {
+export function ownShip(sheet: Sheet, ship: PlanShip): void {
+  const { c, at, colours, lettering } = sheet;
   const here = at.toScreen(ship.x, ship.y);
+  lettering.keep(around(here, kSign));
   const outline = ship.outline ?? new Float32Array();
   const length = outline.length ? 2 * at.scale * Math.max(...outline.filter((_, k) => k % 2 === 0)) : 0;
   if (length >= kSymbolBelow) {
@@ -218,6 +235,11 @@ export function ownShip({ c, at, colours }: Sheet, ship: PlanShip): void {
     c.fill();
     c.globalAlpha = 1;
     stroke(c, { colour: colours.ship, width: 2 });
+    const half = length / 2 / kHullBoxes;
+    for (let k = 1 - kHullBoxes; k < kHullBoxes; k += 2) {
+      const p = ofShip(ship, (k * half) / at.scale, 0);
+      lettering.keep(around(at.toScreen(p.x, p.y), half));
+    }
   } else {
     ring(c, here, 6, { colour: colours.ship, width: 2 });
     ring(c, here, 3, { colour: colours.ship, width: 1.5 });
@@ -225,7 +247,7 @@ export function ownShip({ c, at, colours }: Sheet, ship: PlanShip): void {
   const ahead = ofShip(ship, Math.max(length / 2 / at.scale, 0) + 60 / at.scale, 0);
   line(c, here, at.toScreen(ahead.x, ahead.y), { colour: colours.ship });
   ring(c, here, 2.5, { colour: colours.ship, width: 1.5 });
-  vector({ c, at, colours }, ship);
+  vector(sheet, ship);
 }
 
 /** Course and speed over ground as the way she makes in some minutes, with two arrow heads. */
@@ -249,8 +271,9 @@ function head(c: Context, x: number, y: number, way: number, colour: string): vo
 }
 
 /** In the corner: north, wind and stream as arrows round one point, with their figures under it. */
-export function compassRose({ c, at, colours }: Sheet, picture: PlanPicture): void {
+export function compassRose({ c, at, colours, lettering }: Sheet, picture: PlanPicture): void {
   const centre = { x: at.width - 48, y: 56 };
+  lettering.keep(around(centre, 44));
   ring(c, centre, 30, { colour: colours.grid });
   const end = (direction: number, length: number): { x: number; y: number } => ({
     x: centre.x + length * Math.sin(direction - at.up),
@@ -268,14 +291,10 @@ export function compassRose({ c, at, colours }: Sheet, picture: PlanPicture): vo
     const to = end(towards, 25);
     line(c, from, to, { colour, width: 2.5 });
     head(c, to.x, to.y, Math.atan2(to.y - from.y, to.x - from.x), colour);
-    label(
-      c,
-      `${words(bearing(flow.direction))} ${figure(knots(flow.speed), 1)} kn`,
-      { x: at.width - 10, y: row },
-      colours.text,
-      colours.sea,
-      "right",
-    );
+    const text = `${words(bearing(flow.direction))} ${figure(knots(flow.speed), 1)} kn`;
+    const right = at.width - 10;
+    lettering.keep({ left: right - c.measureText(text).width, top: row - 9, right: at.width, bottom: row + 9 });
+    label(c, text, { x: right, y: row }, colours.text, colours.sea, "right");
     row += 17;
   };
   const windTo = (picture.wind?.direction ?? 0) + Math.PI;
@@ -284,7 +303,7 @@ export function compassRose({ c, at, colours }: Sheet, picture: PlanPicture): vo
 }
 
 /** A round length along the lower edge, in m. */
-export function scaleBar({ c, at, colours }: Sheet): void {
+export function scaleBar({ c, at, colours, lettering }: Sheet): void {
   const metres = roundLength(160 / at.scale);
   const width = metres * at.scale;
   const y = at.height - 14;
@@ -295,5 +314,8 @@ export function scaleBar({ c, at, colours }: Sheet): void {
   c.lineTo(x + width, y);
   c.lineTo(x + width, y - 5);
   stroke(c, { colour: colours.text, width: 2 });
-  label(c, distanceText(metres), { x: x + width + 8, y: y - 4 }, colours.text, colours.sea);
+  const text = distanceText(metres);
+  const words = { x: x + width + 8, y: y - 4 };
+  lettering.keep({ left: x, top: y - 12, right: words.x + c.measureText(text).width + 4, bottom: y + 6 });
+  label(c, text, words, colours.text, colours.sea);
 }

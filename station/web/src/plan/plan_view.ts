@@ -17,6 +17,7 @@ import { Popover } from "../kit/popover";
 import { degrees, radians } from "../kit/units";
 import { planColours } from "./colours";
 import * as layers from "./layers";
+import { Lettering } from "./lettering";
 import { indexForm } from "./index_form";
 import { type Grip, Measuring } from "./measuring";
 import { type ParallelIndex, kIndexUnits } from "./parallel_index";
@@ -204,7 +205,7 @@ export class PlanView {
     c.fillStyle = this.colours.sea;
     c.fillRect(0, 0, at.width, at.height);
     c.font = `12px "Noto Sans", sans-serif`;
-    const sheet = { c, at, colours: this.colours };
+    const sheet = { c, at, colours: this.colours, lettering: new Lettering() };
     layers.contours(sheet, picture.soundings);
     if (picture.landmarks) land(sheet, picture.landmarks.coasts);
     layers.soundings(sheet, picture.soundings);
@@ -216,10 +217,11 @@ export class PlanView {
     if (picture.ship) layers.ownShip(sheet, picture.ship);
     if (picture.ahead) layers.ahead(sheet, picture.ahead);
     layers.marks(sheet, picture.marks);
-    this.index?.draw(sheet, picture.ship);
-    this.measuring.draw(sheet, picture.ship);
     layers.compassRose(sheet, picture);
     layers.scaleBar(sheet);
+    sheet.lettering.write();
+    this.index?.draw(sheet, picture.ship);
+    this.measuring.draw(sheet, picture.ship);
     this.tools.update();
   }
 

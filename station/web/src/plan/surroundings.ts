@@ -12,12 +12,14 @@ import {
   type Transit,
 } from "../wire/generated";
 import type { Sheet } from "./layers";
-import { label, line, stroke } from "./pen";
+import { around, letter, rank } from "./lettering";
+import { line, stroke } from "./pen";
 import { type Pixel, directionTo, distance, ofShip, pointAt } from "./projection";
 import { buoyMark, flare, lightSectors, shoreMark } from "./seamarks";
 import { t } from "../kit/language";
 
 const kInland = 1500; // m, of what the chart takes as land behind a ridge
+const kSign = 8; // px, half of a mark's sign, which stands on its place
 const kShortest = 9; // px, of a ship that is drawn
 const kNamesApart = 140; // px, between marks that have their names beside them
 const kWordsOut = 110; // px, to seaward of a transit's front mark, where its name stands
@@ -54,12 +56,13 @@ export function surroundings(sheet: Sheet, all: Landmarks): void {
     lightSectors(sheet, landmark, p);
     if (buoy) buoyMark(sheet, buoy, p);
     else shoreMark(sheet, landmark, p);
+    sheet.lettering.keep(around({ x: p.x, y: p.y - kSign }, kSign));
   }
-  const { at, c, colours } = sheet;
+  const { at, colours } = sheet;
   for (const landmark of named(all.marks, kNamesApart / at.scale)) {
     const { x, y } = at.toScreen(landmark.x, landmark.y);
     const text = [landmark.name, character(landmark)].filter(Boolean).join(", ");
-    label(c, text, { x: x + 10, y: y - 10 }, colours.text, colours.sea);
+    letter(sheet, rank.charted, text, { x: x + kSign + 3, y: y - 10 }, colours.text);
   }
 }
 
@@ -73,7 +76,8 @@ export function named(landmarks: readonly Landmark[], apart: number): Landmark[]
 }
 
 /** Through both marks, and to seaward as far as it leads; its bearing is the one from seaward. */
-function transit({ c, at, colours }: Sheet, { name, front, rear }: Transit, landmarks: readonly Landmark[]): void {
+function transit(sheet: Sheet, { name, front, rear }: Transit, landmarks: readonly Landmark[]): void {
+  const { c, at, colours } = sheet;
   const near = landmarks[front];
   const far = landmarks[rear];
   if (!near || !far) return;
@@ -84,10 +88,11 @@ function transit({ c, at, colours }: Sheet, { name, front, rear }: Transit, land
   line(c, p, sea, { colour: colours.text, width: 1.2, dash: [8, 5] });
   const words = pointAt(near, bearing + Math.PI, kWordsOut / at.scale);
   const { x, y } = at.toScreen(words.x, words.y);
-  label(c, `${name} ${bearingToTenth(bearing)}\u00b0`, { x: x + 8, y }, colours.text, colours.sea);
+  letter(sheet, rank.charted, `${name} ${bearingToTenth(bearing)}\u00b0`, { x: x + 8, y }, colours.text);
 }
 
-function anchored({ c, at, colours }: Sheet, ship: AnchoredShip): void {
+function anchored(sheet: Sheet, ship: AnchoredShip): void {
+  const { c, at, colours } = sheet;
   const stretch = Math.max(1, kShortest / (ship.length * at.scale));
   const half = (stretch * ship.length) / 2;
   const side = (stretch * ship.beam) / 2;
@@ -105,5 +110,6 @@ function anchored({ c, at, colours }: Sheet, ship: AnchoredShip): void {
   c.fill();
   stroke(c, { colour: colours.quiet, width: 1.5 });
   const p = at.toScreen(ship.x, ship.y);
-  label(c, t("at anchor"), { x: p.x + 12, y: p.y }, colours.quiet, colours.sea);
+  sheet.lettering.keep(around(p, kSign));
+  letter(sheet, rank.charted, t("at anchor"), { x: p.x + 12, y: p.y }, colours.quiet);
 }

@@ -42,7 +42,7 @@ test("a word is parted from what was computed", () => {
 
 test("a word that was given here is told whole, where the marks have no room for it", () => {
   const said = { criterion: "speed", by: "jonas", note: "the gauge; mine: was wrong from the beginning" };
-  const cut = judged("speed", limit, "0:45 too fast: 2.0 of 5 points lost; jonas: the gauge; mine: was");
+  const cut = judged("speed", limit, "0:45 too fast: 2.0 of 5 points lost; jonas: the gauge; mine: was ...");
   assert.deepEqual(parted(cut, [said]), {
     computed: "0:45 too fast: 2.0 of 5 points lost",
     by: "jonas",

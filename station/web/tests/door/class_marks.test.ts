@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import type { From, Part, PlaceName, TrainingClass } from "../../src/door/ask";
-import { placesBeside, whyFrom, wordSaid } from "../../src/door/class_marks";
+import { placesBeside, whyFrom, whyNext, wordSaid } from "../../src/door/class_marks";
 
 const part = (name: string, place: PlaceName, since: number | null = null, until: number | null = null): Part => ({
   name,
@@ -51,4 +51,12 @@ test("an assessor's word stands with who gave it, and without points where nothi
     wordSaid({ ...word, note: "the load cell had failed" }),
     "bo: 80 points, not yet. The load cell had failed",
   );
+});
+
+test("why something is to be practised is parted into our words and the lesson's objectives", () => {
+  assert.deepEqual(whyNext("not done yet"), [{ said: "not done yet", objective: "" }]);
+  assert.deepEqual(whyNext("not yet: lets go; on order; not shown: reports what is so"), [
+    { said: "not yet: ", objective: "lets go; on order" },
+    { said: "not shown: ", objective: "reports what is so" },
+  ]);
 });

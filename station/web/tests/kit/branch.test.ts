@@ -1,5 +1,5 @@
-// What is known here of an order that was given before an exercise was gone on with: in a class that begins again from a
-// moment of a recording, say.
+// What is known here of an order that was given before an exercise was gone on with: in a class that begins again from
+// a moment of a recording, say.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -8,7 +8,8 @@ import { test } from "node:test";
 import german from "../../../../words/pages_de.json";
 import words from "../../../../words/words.json";
 import { t, translatedAs, typedFigure } from "../../src/kit/language";
-import { serverSentences } from "../../src/kit/server_sentences";
+import { doorSentences } from "../../src/door/door_sentences";
+import { endings, modelSteps, serverSentences, stepKinds } from "../../src/kit/server_sentences";
 import { need, root } from "../../tools/web.mjs";
 
 /** German words that are English ones. */
@@ -24,17 +25,12 @@ const kNoWords = new Set(
   ].flat(),
 );
 
-/** What the pages show by translated() beside words.json's sentences: of the server and the door, and of kit/units. */
+/** What the pages show by translated() beside the sentences of words.json, server and door: also of kit/units. */
 const kTranslated = [
   ["load", "cable speed", "NM"],
   ["achieved", "not yet", "not shown"],
-  ["port windlass", "starboard windlass", "helm", "is not at the levers", "is not heard any more"],
+  ["port windlass", "starboard windlass", "helm", "is not at the levers", "is not heard any more", "its last hand"],
   ["speed lever at zero; brake, clutch and stopper as they were", "the helm's levers stay as they are"],
-  ["the lesson is over: it has run its course", "the lesson is over: its time is up"],
-  ["the lesson is over: what has happened ends it", "the lesson is over: it was ended"],
-  ["the lesson is over: the bridge had no answer", "the lesson is over: the bridge was told what is not so"],
-  ["the lesson is over: an order was repeated back wrongly to the last"],
-  ["the class is over: your instructor has your marks and the debriefing", "this seat was freed by the instructor"],
   ["instructor", "assessor", "observer", "owner"],
 ].flat();
 
@@ -118,7 +114,7 @@ function ofWords(): Set<string> {
   for (const row of words.alerts) take(row, columns);
   for (const row of words.report_pad) take(row, columns);
   for (const row of Object.values(words.units)) take(row, ["many"]);
-  found.push(...Object.values(serverSentences).flat());
+  found.push(...Object.values(serverSentences).flat(), ...endings, modelSteps, ...stepKinds, ...doorSentences);
   return new Set(found.filter((said): said is string => typeof said === "string" && said !== ""));
 }
 
@@ -230,6 +226,19 @@ void test("English is its own key, without its note", () => {
   assert.equal(t("off|lights"), "off");
   assert.equal(t("and {count} more", { count: 3 }), "and 3 more");
   assert.equal(translatedAs("Nobody has the {0}", "Nobody has the helm"), "Nobody has the helm");
+});
+
+void test("what the door says in sentences of its own it says in these", async () => {
+  const door = join(root, "door");
+  const files = (await readdir(door, { recursive: true })).filter((file) => /\.[ch]pp$/.test(file));
+  const all = (await Promise.all(files.map((file) => readFile(join(door, file), "utf8")))).join("\n");
+  const history = await readFile(join(root, "instructor_console/history/next_lesson.cpp"), "utf8");
+  const joined = (all + history).replace(/"\s*"/g, ""); // of a literal over several lines
+  const missing = doorSentences.filter((sentence) => {
+    const literal = sentence.split(/\{[^}]*\}/).map((part) => part.trim());
+    return !literal.every((part) => joined.includes(part.replace(/^is a class |:$/g, "")));
+  });
+  assert.deepEqual(missing, []);
 });
 
 void test("a figure may be typed with a point or a comma", () => {

@@ -9,6 +9,7 @@ import { kNauticalMile } from "../../src/kit/units";
 import { waterline } from "../../src/plan/hull_outline";
 import { Measuring } from "../../src/plan/measuring";
 import { distanceText, roundLength } from "../../src/plan/layers";
+import { Lettering, around, rank } from "../../src/plan/lettering";
 import { ParallelIndex, courseThrough, relativeTo } from "../../src/plan/parallel_index";
 import { Projection, directionTo, ofShip, pointAt } from "../../src/plan/projection";
 import { named } from "../../src/plan/surroundings";
@@ -104,6 +105,23 @@ test("names of marks do not lie on one another: a lighthouse has its own before 
   const names = (apart: number): string[] => named(marks, apart).map(({ name }) => name);
   assert.deepEqual(names(100), ["North Point", "No 1"]);
   assert.deepEqual(names(50), ["North Point", "Church", "No 1"]);
+});
+
+test("of what would be written one over another the first by rank stays; her own words give way to no sign", () => {
+  const lettering = new Lettering();
+  const written: string[] = [];
+  const add = (text: string, its: number, x: number): void =>
+    lettering.add(its, around({ x, y: 0 }, 10), () => written.push(text));
+  lettering.keep(around({ x: 100, y: 0 }, 10));
+  add("sounding", rank.sounding, 0);
+  add("contour", rank.contour, 15);
+  add("sounding apart", rank.sounding, 40);
+  add("sounding behind it", rank.sounding, 55);
+  add("beside a sign", rank.charted, 95);
+  add("anchor", rank.own, 85);
+  add("another anchor", rank.own, 90);
+  lettering.write();
+  assert.deepEqual(written, ["anchor", "contour", "sounding apart"]);
 });
 
 test("the true wind is the apparent one less her own way", () => {

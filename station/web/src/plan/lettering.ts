@@ -1,0 +1,81 @@
+// What is written on the plan, so that nothing of it lies on anything else: what is needed most is placed first, and
+// what then has no room is left out.
+
+import type { PlanColours } from "./colours";
+import { type Context, label } from "./pen";
+import type { Pixel } from "./projection";
+
+/** px, y downwards. */
+export interface Box {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+/** In which order what is written has its place. What is the ship's own, up to rank.own, gives way to no sign. */
+export const rank = { left: 0, own: 1, charted: 2, ring: 3, contour: 4, sounding: 5 } as const;
+
+const kHalfLine = 7; // px, of a line of text
+const kBorder = 2; // px round it
+
+/** Around a point. */
+export const around = ({ x, y }: Pixel, half: number): Box => ({
+  left: x - half,
+  top: y - half,
+  right: x + half,
+  bottom: y + half,
+});
+
+const overlap = (a: Box, b: Box): boolean =>
+  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+/** Of one picture. */
+export class Lettering {
+  private readonly signs: Box[] = [];
+  private readonly words: Box[] = [];
+  private readonly waiting: { rank: number; box: Box; draw: () => void }[] = [];
+
+  /** Keeps a place free: a sign stands there. */
+  keep(...boxes: Box[]): void {
+    this.signs.push(...boxes);
+  }
+
+  /** Something that is to be written there. */
+  add(its: number, box: Box, draw: () => void): void {
+    this.waiting.push({ rank: its, box, draw });
+  }
+
+  /** Writes all that has room, in a rank what was added first. */
+  write(): void {
+    for (const { rank: its, box, draw } of this.waiting.sort((a, b) => a.rank - b.rank)) {
+      const lies = (other: Box): boolean => overlap(box, other);
+      if (this.words.some(lies) || (its > rank.own && this.signs.some(lies))) continue;
+      this.words.push(box);
+      draw();
+    }
+  }
+}
+
+function boxOf(c: Context, text: string, { x, y }: Pixel, align: CanvasTextAlign): Box {
+  const { width } = c.measureText(text);
+  const left = align === "right" ? x - width : align === "center" ? x - width / 2 : x;
+  return {
+    left: left - kBorder,
+    top: y - kHalfLine - kBorder,
+    right: left + width + kBorder,
+    bottom: y + kHalfLine + kBorder,
+  };
+}
+
+/** A label, where it has room. */
+export function letter(
+  { c, colours, lettering }: { c: Context; colours: PlanColours; lettering: Lettering },
+  its: number,
+  text: string,
+  at: Pixel,
+  colour: string,
+  align: CanvasTextAlign = "left",
+): void {
+  lettering.add(its, boxOf(c, text, at, align), () => label(c, text, at, colour, colours.sea, align));
+}
