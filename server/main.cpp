@@ -181,12 +181,12 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
     constexpr std::chrono::seconds kHangs{10}; // a beat that takes so long does not end
     const std::string name = server_name(options);
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
-    const auto join_in_time = [&] { // also where exercises are being opened
+    const auto join_domain = [&] { // also where exercises are being opened
         const host::SchedulingKept before;
-        if (options.realtime) host::enter_realtime();
+        if (options.realtime) host::go_before_other_programs();
         return join(options);
     };
-    host::ServerGroup servers(join_in_time, name, threads, exercise_source(options), keeper);
+    host::ServerGroup servers(join_domain, name, threads, exercise_source(options), keeper);
     const auto name_taken = [&](const std::string& taken) {
         spdlog::error(
             "server {} ends: another server of this name is in DDS domain {}; choose another --name "

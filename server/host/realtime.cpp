@@ -3,6 +3,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 
 #include <cerrno>
 #include <system_error>
@@ -13,6 +14,16 @@ namespace {
 
 // Above all ordinary threads, below the kernel's own interrupt threads (50).
 constexpr int kTicks = 20, kOthers = 19;
+// A share of nine in ten beside a program of ordinary niceness.
+constexpr int kNiceOfNetwork = -10;
+
+int niceness() {
+    return getpriority(PRIO_PROCESS, 0); // on Linux of the calling thread
+}
+
+void set_niceness(int nice) {
+    setpriority(PRIO_PROCESS, 0, nice);
+}
 
 std::string reason() {
     return std::error_code(errno, std::generic_category()).message();
@@ -59,12 +70,18 @@ void leave_realtime() {
     sched_setscheduler(0, SCHED_OTHER, &ordinary);
 }
 
-SchedulingKept::SchedulingKept() : policy_(sched_getscheduler(0)) {
+void go_before_other_programs() {
+    leave_realtime();
+    set_niceness(kNiceOfNetwork);
+}
+
+SchedulingKept::SchedulingKept() : policy_(sched_getscheduler(0)), nice_(niceness()) {
     sched_getparam(0, &parameters_);
 }
 
 SchedulingKept::~SchedulingKept() {
     sched_setscheduler(0, policy_, &parameters_);
+    set_niceness(nice_);
 }
 
 } // namespace windlass::host

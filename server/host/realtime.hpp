@@ -19,6 +19,11 @@ void go_before_others();
 /// The calling thread works in what time the others leave; so do threads that it starts.
 void leave_realtime();
 
+/// The calling thread works in ordinary time, and where that is allowed goes before other programs there; so
+/// do threads that it starts. For the network's own: of each server that joins or is lost they have so much
+/// to hear of that in real time Linux would take the core from them for 50 ms, and from ticks with them.
+void go_before_other_programs();
+
 /// Gives the calling thread the scheduling back that it had, whatever it has been given meanwhile.
 class SchedulingKept {
 public:
@@ -28,7 +33,7 @@ public:
     SchedulingKept& operator=(const SchedulingKept&) = delete;
 
 private:
-    const int policy_;
+    const int policy_, nice_;
     sched_param parameters_{};
 };
 

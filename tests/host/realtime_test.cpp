@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <functional>
 #include <future>
 #include <thread>
@@ -74,6 +76,27 @@ TEST_F(Realtime, WhatIsOpenedIsOpenedInOrdinaryTime) {
             EXPECT_EQ(Scheduling().policy, SCHED_OTHER);
         }
         EXPECT_EQ(Scheduling(), before);
+    });
+}
+
+int niceness() {
+    return getpriority(PRIO_PROCESS, 0); // of the calling thread
+}
+
+TEST_F(Realtime, TheNetworkHasOrdinaryTimeThatGoesBeforeOtherPrograms) {
+    in_realtime([] {
+        const Scheduling before;
+        {
+            const SchedulingKept joining;
+            go_before_other_programs();
+            std::thread([] { // as those are that Fast DDS starts
+                EXPECT_EQ(Scheduling().policy, SCHED_OTHER);
+                EXPECT_LT(niceness(), 0);
+            })
+                .join();
+        }
+        EXPECT_EQ(Scheduling(), before);
+        EXPECT_EQ(niceness(), 0);
     });
 }
 
