@@ -157,9 +157,9 @@ bool Checks::comes_to(Line& line, std::size_t orders, const State& state) {
            (!assessment || !line.assessor || assessment_of(course.assessor()) == *assessment);
 }
 
-/// The line is left at that tick, with as many of its orders as make that state, at that tick or, with the
-/// orders behind them, at a later one; false: no number does.
-bool Checks::go_on_from(Line& line, std::uint64_t tick, const State& state) {
+/// With how many of the line's orders it comes to that state, at that tick or, with the orders behind them,
+/// at a later one; nothing: with no number.
+std::optional<std::size_t> Checks::orders_of(Line& line, std::uint64_t tick, const State& state) {
     const auto number = [&](auto order) { return static_cast<std::size_t>(order - line.orders.begin()); };
     const std::size_t least = number(std::ranges::lower_bound(line.orders, tick, {}, &run::OrderView::tick));
     const std::size_t most = number(std::ranges::upper_bound(line.orders, tick, {}, &run::OrderView::tick));
@@ -170,6 +170,12 @@ bool Checks::go_on_from(Line& line, std::uint64_t tick, const State& state) {
         found = orders; // the last, where levers were moved and moved back
         if (!state.behind.empty() && told != line.checkpoints.end() && told->second == orders) break;
     }
+    return found;
+}
+
+/// The line is left there; false: it does not come to that state.
+bool Checks::go_on_from(Line& line, std::uint64_t tick, const State& state) {
+    const auto found = orders_of(line, tick, state);
     if (!found) return false;
     line.orders.resize(*found);
     std::erase_if(line.marks,
@@ -254,6 +260,12 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
                  fmt::format("that of the undisturbed course at tick {}, with orders that were taken", tick_),
                  fmt::format("{:016x}, which is of none", hash));
     }
+    // Where two lines come to the same state, as at their beginnings, which of them was kept cannot be told:
+    // an older one that a power cut has brought back has its own losses counted.
+    for (auto older = lines_.begin(); older != std::prev(lines_.end()); ++older)
+        if (older->starts > line().starts &&
+            orders_of(*older, tick_, {.tick = tick_, .hash = hash, .assessment = std::nullopt}))
+            line().starts = older->starts;
     const Place here = place();
     if (promise && how.set_back.empty() && !how.rotten && !how.set_back_before &&
         (promise->line > here.line || (promise->line == here.line && before(here, *promise))))

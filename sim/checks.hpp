@@ -101,6 +101,7 @@ private:
         std::optional<std::uint64_t> assessment{}; // where it is told: words may change it and nothing else
     };
     bool comes_to(Line& line, std::size_t orders, const State& state);
+    std::optional<std::size_t> orders_of(Line& line, std::uint64_t tick, const State& state);
     bool go_on_from(Line& line, std::uint64_t tick, const State& state);
     void leave_line();
     void branch(const run::Session& session, std::uint64_t tick);

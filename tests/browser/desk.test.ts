@@ -378,8 +378,6 @@ test("it records, the recording is replayed with all its marks, and a live exerc
       .slice(1)
       .reduce((s, p) => 60 * s + Number(p), 0);
   await eventually("it says REPLAY", async () => (await page.locator(".top-bar .state").textContent()) === "REPLAY");
-  await page.locator(".top-bar").getByText("exercise time").waitFor(); // two clocks, each with its name
-  await page.locator(".replay-bar").getByText("time of the recording").waitFor();
   await eventually("marks of what is to come", async () =>
     /with [1-9]\d* marks/.test(await page.locator(".timeline canvas").getAttribute("aria-label")),
   );
@@ -389,6 +387,8 @@ test("it records, the recording is replayed with all its marks, and a live exerc
     await page.keyboard.press("]");
     return false;
   });
+  await page.locator(".top-bar").getByText("exercise time").waitFor(); // two clocks, each with its name
+  await page.locator(".replay-bar").getByText("time of the recording").waitFor();
   // Ten seconds back each: on a loaded machine there are more of them.
   await eventually("back at the beginning", async () => {
     if ((await place()) === 0) return true;

@@ -166,6 +166,29 @@ TEST(Checks, FindACourseThatIsSetBackForLossesOfTheOneBefore) {
     }
 }
 
+// At their beginnings two courses of an exercise have one state; a power cut may bring back the one that a
+// disk which refused kept from being put aside, with its losses (seed 60463).
+TEST(Checks, CountTheLossesOfAnOldCourseThatMayBeTheOneThatWasTakenUp) {
+    for (const int losses : {0, 2}) {
+        const World world(1);
+        Checks checks(world);
+        const run::Session session({}, {});
+        checks.begins(session, {.first = true});
+        for (int k = 0; k < losses; ++k)
+            checks.starts({});
+        checks.begins(session, {}); // anew
+        checks.starts({.lost_by = Loss::power_cut});
+        checks.begins(session, {.lost_by = Loss::power_cut, .taken_up = true});
+        checks.starts({.lost_by = Loss::power_cut});
+        const Beginning back{
+            .lost_by = Loss::power_cut, .refused = "lost twice", .set_back = "lost twice", .attempts = 2};
+        if (losses == 0)
+            EXPECT_THROW(checks.begins(session, back), Failure);
+        else
+            EXPECT_NO_THROW(checks.begins(session, back));
+    }
+}
+
 TEST(Checks, FindALossThatIsCountedOfAServerThatEndedByItself) {
     const World world(1);
     for (const std::size_t attempts : {0U, 1U}) {

@@ -3,7 +3,7 @@
 import { bearing, figure, kNauticalMile, knots } from "../kit/units";
 import type { PlanColours } from "./colours";
 import { contours as contoursOf } from "./contours";
-import { type Lettering, around, letter, rank } from "./lettering";
+import { type Lettering, around, letter, nameBeside, rank } from "./lettering";
 import { type Context, grip, label, line, ring, stroke } from "./pen";
 import type { PlanCircle, PlanFlow, PlanLine, PlanMark, PlanPicture, PlanShip, PlanSounding } from "./picture";
 import { type Pixel, type Projection, ofShip, pointAt } from "./projection";
@@ -67,7 +67,7 @@ export function soundings({ c, at, colours, lettering }: Sheet, all: PlanSoundin
     if (p.x < -20 || p.y < -20 || p.x > at.width + 20 || p.y > at.height + 20) continue;
     const whole = Math.floor(s.depth + 1e-6);
     const box = { left: p.x - c.measureText(`${whole}`).width, top: p.y - 7, right: p.x + 17, bottom: p.y + 9 };
-    lettering.add(rank.sounding, box, () => sounding(c, s, whole, p, colours.quiet));
+    lettering.add(rank.sounding, { box, draw: () => sounding(c, s, whole, p, colours.quiet) });
   }
 }
 
@@ -192,7 +192,7 @@ export function marks(sheet: Sheet, all: PlanMark[]): void {
       stroke(c, pen);
     }
     lettering.keep(around(p, kSign));
-    letter(sheet, rank.own, mark.label, { x: p.x + 11, y: p.y }, colours.text);
+    nameBeside(sheet, rank.own, mark.label, p, 11, colours.text);
   }
 }
 

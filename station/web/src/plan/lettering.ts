@@ -13,6 +13,12 @@ export interface Box {
   bottom: number;
 }
 
+/** Where something may be written, and how it is written there. */
+interface Place {
+  box: Box;
+  draw: () => void;
+}
+
 /** In which order what is written has its place. What is the ship's own, up to rank.own, gives way to no sign. */
 export const rank = { left: 0, own: 1, charted: 2, ring: 3, contour: 4, sounding: 5 } as const;
 
@@ -34,25 +40,26 @@ const overlap = (a: Box, b: Box): boolean =>
 export class Lettering {
   private readonly signs: Box[] = [];
   private readonly words: Box[] = [];
-  private readonly waiting: { rank: number; box: Box; draw: () => void }[] = [];
+  private readonly waiting: { rank: number; places: Place[] }[] = [];
 
   /** Keeps a place free: a sign stands there. */
   keep(...boxes: Box[]): void {
     this.signs.push(...boxes);
   }
 
-  /** Something that is to be written there. */
-  add(its: number, box: Box, draw: () => void): void {
-    this.waiting.push({ rank: its, box, draw });
+  /** Something that is to be written, at the first of these places that has room. */
+  add(its: number, ...places: Place[]): void {
+    this.waiting.push({ rank: its, places });
   }
 
   /** Writes all that has room, in a rank what was added first. */
   write(): void {
-    for (const { rank: its, box, draw } of this.waiting.sort((a, b) => a.rank - b.rank)) {
-      const lies = (other: Box): boolean => overlap(box, other);
-      if (this.words.some(lies) || (its > rank.own && this.signs.some(lies))) continue;
-      this.words.push(box);
-      draw();
+    for (const { rank: its, places } of this.waiting.sort((a, b) => a.rank - b.rank)) {
+      const taken = its > rank.own ? [...this.words, ...this.signs] : this.words;
+      const free = places.find(({ box }) => !taken.some((other) => overlap(box, other)));
+      if (!free) continue;
+      this.words.push(free.box);
+      free.draw();
     }
   }
 }
@@ -68,14 +75,43 @@ function boxOf(c: Context, text: string, { x, y }: Pixel, align: CanvasTextAlign
   };
 }
 
+interface Sheet {
+  c: Context;
+  colours: PlanColours;
+  lettering: Lettering;
+}
+
+function placed({ c, colours }: Sheet, text: string, at: Pixel, colour: string, align: CanvasTextAlign): Place {
+  return { box: boxOf(c, text, at, align), draw: () => label(c, text, at, colour, colours.sea, align) };
+}
+
 /** A label, where it has room. */
 export function letter(
-  { c, colours, lettering }: { c: Context; colours: PlanColours; lettering: Lettering },
+  sheet: Sheet,
   its: number,
   text: string,
   at: Pixel,
   colour: string,
   align: CanvasTextAlign = "left",
 ): void {
-  lettering.add(its, boxOf(c, text, at, align), () => label(c, text, at, colour, colours.sea, align));
+  sheet.lettering.add(its, placed(sheet, text, at, colour, align));
+}
+
+/** The name of a sign, on whichever side of it there is room: right, left, below or above. gap: px from its middle. */
+export function nameBeside(
+  sheet: Sheet,
+  its: number,
+  text: string,
+  { x, y }: Pixel,
+  gap: number,
+  colour: string,
+): void {
+  const down = gap + kHalfLine;
+  sheet.lettering.add(
+    its,
+    placed(sheet, text, { x: x + gap, y }, colour, "left"),
+    placed(sheet, text, { x: x - gap, y }, colour, "right"),
+    placed(sheet, text, { x, y: y + down }, colour, "center"),
+    placed(sheet, text, { x, y: y - down }, colour, "center"),
+  );
 }

@@ -111,7 +111,7 @@ test("of what would be written one over another the first by rank stays; her own
   const lettering = new Lettering();
   const written: string[] = [];
   const add = (text: string, its: number, x: number): void =>
-    lettering.add(its, around({ x, y: 0 }, 10), () => written.push(text));
+    lettering.add(its, { box: around({ x, y: 0 }, 10), draw: () => written.push(text) });
   lettering.keep(around({ x: 100, y: 0 }, 10));
   add("sounding", rank.sounding, 0);
   add("contour", rank.contour, 15);
@@ -122,6 +122,16 @@ test("of what would be written one over another the first by rank stays; her own
   add("another anchor", rank.own, 90);
   lettering.write();
   assert.deepEqual(written, ["anchor", "contour", "sounding apart"]);
+});
+
+test("what has no room on one side of its sign is written on another", () => {
+  const lettering = new Lettering();
+  const written: string[] = [];
+  const place = (text: string, x: number) => ({ box: around({ x, y: 0 }, 10), draw: () => written.push(text) });
+  lettering.add(rank.own, place("P", 0));
+  lettering.add(rank.own, place("let go, right", 5), place("let go, left", -30));
+  lettering.write();
+  assert.deepEqual(written, ["P", "let go, left"]);
 });
 
 test("the true wind is the apparent one less her own way", () => {
