@@ -298,13 +298,15 @@ std::optional<Checkpointed> checkpoint_before(double time, std::uint64_t first, 
     return std::nullopt;
 }
 
-/// Of an exercise that was set back to that: what it is not to be taken up from any more.
+/// Of an exercise that was set back to that: what it is not to be taken up from any more, in the order in
+/// which it is to go: where it begins from its file the newest last, since a server that is lost in the midst
+/// of it is followed by one that takes up the newest that is there, and is not to come to an older course.
 std::vector<fs::path> left_behind(const std::optional<Checkpointed>& stands, Disk& disk,
                                   const std::vector<fs::path>& files, const std::string& id,
                                   const TakeUp& wanted) {
+    if (!stands) return files;
     std::vector<fs::path> left;
     std::copy_if(files.rbegin(), files.rend(), std::back_inserter(left), [&](const fs::path& file) {
-        if (!stands) return true;
         if (file == stands->file) return false;
         if (number_of(file) < stands->taken.how.course.first) return true;
         try {
@@ -345,8 +347,10 @@ TakenUp set_back(Disk& disk, const std::vector<fs::path>& files, const fs::path&
     if (const auto left = left_behind(stands, disk, files, id, wanted); !left.empty()) {
         place = free_place(disk, aside, id);
         disk.make_folder(place);
-        for (const fs::path& file : left)
+        for (const fs::path& file : left) {
+            if (!stands && file == left.back()) settle(disk, {place, folder}); // older ones do not come back
             disk.rename(file, place / file.filename());
+        }
     }
     settle(disk, {place, aside, folder});
     if (!stands) { // as long as they are there, nobody was told

@@ -207,6 +207,34 @@ TEST_F(OldCourse, GoesWithTheSecondCheckpointOfTheNewOne) {
     EXPECT_NEAR(time(start(disk_)), 3100 / 300.0, 1e-9);
 }
 
+TEST(SetBack, ToTheBeginningOfACourseComesToNoOlderOneAtWhateverCallItsServerIsLost) {
+    KeptAt kept(3100);
+    for (const Loss how : {Loss::killed, Loss::power_cut}) {
+        bool lost = true;
+        for (std::uint64_t k = 1; lost; ++k) {
+            World world(k);
+            SimDisk disk(world);
+            kept.copy_to(disk);
+            start(disk), start(disk);
+            disk.refuses = true; // to put the old course aside
+            const auto anew = start(disk)->how;
+            disk.refuses = false;
+            lose_at(600, disk, world, anew);
+            start(disk), start(disk);
+            disk.sync_folder(kFolder);
+            lost = lost_in(k, how, disk);
+            auto next = start(disk);
+            for (int start_again = 0; start_again < 2 && next && next->how.set_back.empty(); ++start_again) {
+                EXPECT_EQ(time(next), 2) << k;
+                next = start(disk); // the power took what was counted
+            }
+            if (!next) continue; // lost at the last call: all is done
+            EXPECT_FALSE(next->def) << k << ": at " << time(next) << " s of the old course";
+            EXPECT_THAT(next->how.set_back, HasSubstr("it begins from its file")) << k;
+        }
+    }
+}
+
 TEST(SetBack, GoesNoFurtherBackThanAResetOfWhichTheDiskTookNothingAtFirst) {
     KeptAt kept(3100);
     World world(1);
