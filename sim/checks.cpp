@@ -208,7 +208,7 @@ void Checks::left_whole() {
 /// loss of a course before it.
 void Checks::hold_set_back(const Place& promise, const Beginning& how) const {
     const auto kept = std::ranges::find(lines_, promise.line, &Line::number);
-    const std::size_t starts = kept == lines_.end() ? 3 : kept->starts - kept->left;
+    const std::size_t starts = kept == lines_.end() ? 3 : kept->losses();
     if (starts < 3 && !how.set_back_before)
         fail("kept", "taken up at " + text(promise) + " or later",
              fmt::format("set back, as server {} of its course begins: {}", starts, how.set_back));
@@ -247,12 +247,11 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
         fail("kept", "taken up where it stopped",
              "set back after " + std::to_string(how.attempts) + " losses: " + how.set_back);
     const bool back = !how.set_back.empty();
+    const State state{.tick = tick_, .hash = hash, .assessment = assessment_of(session.assessor())};
     if (back) line().on_disk.reset(), line().handed_over.reset();
     for (;;) {
         if (back) leave_line(); // until the disk has that, the power may bring the line back
-        if (go_on_from(line(), tick_,
-                       {.tick = tick_, .hash = hash, .assessment = assessment_of(session.assessor())}))
-            break;
+        if (go_on_from(line(), tick_, state)) break;
         lines_.pop_back();
         if (back) lines_.pop_back();
         if (lines_.empty())
@@ -263,9 +262,8 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
     // Where two lines come to the same state, as at their beginnings, which of them was kept cannot be told:
     // an older one that a power cut has brought back has its own losses counted.
     for (auto older = lines_.begin(); older != std::prev(lines_.end()); ++older)
-        if (older->starts > line().starts &&
-            orders_of(*older, tick_, {.tick = tick_, .hash = hash, .assessment = std::nullopt}))
-            line().starts = older->starts;
+        if (older->losses() > line().losses() && orders_of(*older, tick_, state))
+            line().starts = older->starts, line().left = older->left;
     const Place here = place();
     if (promise && how.set_back.empty() && !how.rotten && !how.set_back_before &&
         (promise->line > here.line || (promise->line == here.line && before(here, *promise))))

@@ -84,6 +84,7 @@ private:
         bool ended = false;     // nothing of it need be kept
         std::size_t starts = 0; // of servers, since it began
         std::size_t left = 0;   // of them, up to one that ended by itself: they are counted no more
+        std::size_t losses() const { return starts - left; }
     };
     /// Gone through undisturbed, some way along a line.
     struct Undisturbed {

@@ -4,6 +4,7 @@
 // means).
 
 #include "server/exercise/definition/orders.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -182,7 +183,7 @@ struct Objective {
 
     /// Points of 100 below which it fails the lesson, too. From there to `pass` it is not achieved yet, and
     /// the lesson may be: one word that was left out makes a ship that was handled safely no failure.
-    int least() const { return std::min(pass, 50); }
+    int least() const { return std::min(pass, static_cast<int>(words::limits::objective_fails)); }
 };
 
 /// What a seat is told in an attempt for practice, once, when its condition first holds.

@@ -2,6 +2,7 @@
 // on next time. It opens by itself when the marks are told, and is behind its button from then on.
 
 import type { Connection, Seat } from "../wire/connection";
+import { limits } from "../../../../words/words.json";
 import {
   type Assessment,
   type BridgeOrder,
@@ -22,7 +23,6 @@ import { t } from "./language";
 const kToWorkOn = 3; // criteria that are named first: nobody mends ten things at once
 const kNotInPlay = CriterionState.CRITERION_NOT_IN_PLAY;
 const kRight = 500; // of 1000: a report that earned less was not right (JudgedReport, windlass.idl)
-const kFails = 50; // points of 100: an objective below that fails its lesson (server/assess/lesson.hpp)
 
 /** Points that a criterion has lost, of its weight. */
 const lost = (criterion: Criterion): number => (criterion.weight * (1000 - criterion.counted)) / 1000;
@@ -58,7 +58,7 @@ export function headline({ outcome, score, pass }: Pick<Assessment, "outcome" | 
 
 /** Whether an objective fails the lesson; from half of its points on it does not, though it may not be achieved yet. */
 export const failsLesson = ({ outcome, score, pass }: Pick<ObjectiveMark, "outcome" | "score" | "pass">): boolean =>
-  outcome !== "achieved" && score < Math.min(pass, kFails);
+  outcome !== "achieved" && score < Math.min(pass, limits.objective_fails.value);
 
 /** When the report came against what it told of: "2 s early", "8 s after it", "at once". */
 export function delayWords(delay: number): string {
