@@ -3,6 +3,7 @@
 
 #include "door/class_book.hpp"
 #include "door/people.hpp"
+#include "station/gateway/gateway.hpp"
 #include "station/gateway/page_session.hpp"
 
 namespace windlass::door {

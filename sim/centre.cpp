@@ -10,6 +10,8 @@
 #include "sim/checks.hpp"
 #include "sim/disk.hpp"
 #include "sim/hands.hpp"
+#include "sim/pages.hpp"
+#include "sim/recorder.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -26,12 +28,14 @@ namespace fs = std::filesystem;
 
 constexpr const char* kId = "anna";
 const fs::path kFolder = "/kept/exercise-anna", kAside = "/kept/aside";
-constexpr double kWriteEvery = 0.01, kSyncEvery = 1;   // s, as keep::Keeper
-constexpr double kBeatCost = 0.0003;                   // s of processor time in a beat
-constexpr int kLookedAhead = 30;                       // ticks, beside a beat
-constexpr std::size_t kRoomy = 8 << 20;                // bytes: more than an exercise may take of the disk
-constexpr std::size_t kMemory = 256 << 20;             // bytes
-constexpr std::uint64_t kFirstRun = 1'800'000'000'000; // ms since 1970
+constexpr double kWriteEvery = 0.01, kSyncEvery = 1; // s, as keep::Keeper
+constexpr double kBeatCost = 0.0003;                 // s of processor time in a beat
+constexpr int kLookedAhead = 30;                     // ticks, beside a beat
+constexpr std::size_t kRoomy = 8 << 20;              // bytes: more than an exercise may take of the disk
+constexpr std::size_t kMemory = 256 << 20;           // bytes
+constexpr double kMemoryEvery = 5; // s: the allocator goes through all that is free to tell what is not
+constexpr std::uint64_t kFirstRun = 1'800'000'000'000;      // ms since 1970
+constexpr std::uint64_t kRecordersOwn = 0x7265636f72646572; // chance
 constexpr double kHangs =
     10; // s, in which a server must have ended that is to begin anew, as workers::supervise
 
@@ -93,7 +97,9 @@ public:
           network_(world_),
           checks_(world_),
           hands_(world_, network_, plan.def.tackle.size()),
+          pages_(world_, network_, plan.seed, plan.sabotage),
           anew_(~plan.seed),
+          recorder_(world_, plan.seed ^ kRecordersOwn, plan.sabotage),
           end_(static_cast<std::uint64_t>(plan.minutes * 60 * plan.def.tick_rate_hz)) {}
 
     Outcome run();
@@ -113,7 +119,7 @@ private:
     void plan_the_end(std::uint64_t life);
     void tell();
     void hear(const Sent& sent);
-    void hold_memory() const;
+    void hold_memory();
     bool lives(std::uint64_t life) const { return server_ && life == life_; }
     template <class What>
     void after(double seconds, What what) { // of this server
@@ -128,8 +134,11 @@ private:
     Network network_;
     Checks checks_;
     Hands hands_;
+    Pages pages_;
     Chance anew_; // of its own, so that a seed without a server that begins anew is what it was before there
                   // were such
+    Recorder recorder_;
+    double memory_at_ = 0; // s, when the heap is looked at next
     const std::uint64_t end_;
     std::optional<Server> server_;
     std::uint64_t life_ = 0;
@@ -175,6 +184,7 @@ void Centre::start() {
     lost_setting_back_ = false;
     server_.emplace(world_, disk_, taken && taken->def ? *taken->def : plan_.def, options);
     checks_.begins(server_->session, how);
+    recorder_.server_begins();
     lost_by_ = Loss::killed;
     disk_.served = true;
     stalled_until_ = 0;
@@ -215,6 +225,7 @@ void Centre::lose(Loss how) {
     ++(how == Loss::killed ? outcome_.kills : outcome_.power_cuts);
     disk_.lose(how);
     if (how == Loss::power_cut) lost_by_ = how; // be it as the server starts again
+    if (how == Loss::power_cut) recorder_.lose_power();
     if (world_.chance().in(0.02) && disk_.rot(".kept")) {
         rotten_ = true; // from now on
         ++outcome_.rotten;
@@ -313,6 +324,8 @@ void Centre::tick() {
     checks_.sabotage_order = sabotage && plan_.sabotage == Sabotage::order_altered;
     checks_.sabotage_marks = sabotage && plan_.sabotage == Sabotage::marks_altered;
     checks_.look(session, server.inbox, now, server.kept.trouble());
+    recorder_.hear(session);
+    pages_.tell(session, life_);
     session.clear_news();
 }
 
@@ -404,10 +417,12 @@ void Centre::stall(std::uint64_t) {
     after(world_.chance().spread(1, 120), &Centre::stall);
 }
 
-void Centre::hold_memory() const {
+void Centre::hold_memory() {
     if (disk_.bytes_below(kFolder) > kRoomy)
         throw Failure{"memory", "at most " + std::to_string(kRoomy) + " bytes on the disk for an exercise",
                       std::to_string(disk_.bytes_below(kFolder))};
+    if (world_.now() < memory_at_) return;
+    memory_at_ = world_.now() + kMemoryEvery;
     if (const std::size_t used = mallinfo2().uordblks; used > kMemory)
         throw Failure{"memory", "at most " + std::to_string(kMemory) + " bytes", std::to_string(used)};
 }
@@ -431,6 +446,8 @@ Outcome Centre::run() {
             }
         }
         if (server_) checks_.end();
+        recorder_.end();
+        pages_.end();
     } catch (const Failure& failure) {
         outcome_.failed = {failure, checks_.tick(), world_.now()};
     } catch (const std::exception& error) {
@@ -438,7 +455,12 @@ Outcome Centre::run() {
     }
     outcome_.ticks = checks_.seen();
     outcome_.simulated = world_.now();
-    outcome_.digest = checks_.digest();
+    outcome_.digest = checks_.digest() ^ pages_.digest();
+    outcome_.recordings = recorder_.recordings();
+    outcome_.recorder_kills = recorder_.kills();
+    outcome_.pages = pages_.opened();
+    outcome_.sent_away = pages_.sent_away();
+    outcome_.stations = pages_.killed();
     return outcome_;
 }
 

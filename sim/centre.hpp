@@ -1,6 +1,7 @@
 #pragma once
-// A centre in one process: the server's own session, mailbox, pacer and keeping, on a simulated clock,
-// network and disk, worked by scripted stations, lost and started again, and checked after each tick.
+// A centre in one process: the server's own session, mailbox, pacer and keeping, and the recorder's tape, on
+// a simulated clock, network and disks, worked by scripted stations, lost and started again, and checked
+// after each tick.
 
 #include "server/exercise/definition/exercise_def.hpp"
 #include "sim/world.hpp"
@@ -18,8 +19,18 @@ enum class Sabotage {
     ghost_hand,       ///< an order in the name of a station that did not give it
     marks_altered,    ///< once, of what is told of a lesson
     event_lost,
-    alert_untold, ///< a disk that refuses, and nobody is told
-    chance        ///< from outside the seed
+    alert_untold,        ///< a disk that refuses, and nobody is told
+    recording_shortened, ///< the newest, each time that a recorder has gone
+    recording_doubled,   ///< one sample of it
+    recording_deaf,      ///< to one sample
+    recording_unflushed, ///< as if it were
+    chance,              ///< from outside the seed
+    // Between a station's program and its pages, which then are in every seed:
+    page_event_lost,
+    page_state_lost,    ///< each status from some time on
+    page_sees_truth,    ///< its program hears what its seat may not
+    page_lever_altered, ///< on its way out
+    page_works_on       ///< behind its end
 };
 
 struct Plan {
@@ -36,7 +47,10 @@ struct Outcome {
     std::uint64_t kills = 0, power_cuts = 0, taken_up = 0, set_back = 0, anew = 0, rotten = 0;
     std::uint64_t left = 0; ///< servers that were told to begin anew, and did
     std::uint64_t predictions = 0;
-    std::uint64_t digest = 0; ///< of all that was told
+    std::uint64_t recordings = 0, recorder_kills = 0;
+    std::uint64_t pages = 0, sent_away = 0; ///< connections, and those that their gateway ended
+    std::uint64_t stations = 0;             ///< programs with pages that were killed
+    std::uint64_t digest = 0; ///< of all that was told; the recorder, which alters nothing, has no part in it
     struct Failed {
         Failure what;
         std::uint64_t tick = 0;

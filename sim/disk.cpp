@@ -19,10 +19,10 @@ bool is_below(const fs::path& path, const fs::path& folder) {
 } // namespace
 
 /// A file that a server has open.
-class SimDisk::File final : public keep::DiskFile {
+class SimDisk::File final : public files::File {
 public:
     File(SimDisk& disk, std::shared_ptr<Node> node) : disk_(disk), node_(std::move(node)) {}
-    std::size_t append(keep::Bytes bytes) override {
+    std::size_t append(files::Bytes bytes) override {
         std::size_t taken = 0;
         disk_.write(*node_, bytes, taken);
         return taken;
@@ -34,9 +34,14 @@ public:
     }
     void sync() override {
         disk_.operation(true);
-        const std::size_t size = node_->bytes.size();
+        const auto synced = [node = node_, size = node_->bytes.size()] {
+            node->synced = std::max(node->synced, std::min(size, node->bytes.size()));
+        };
         disk_.wait(disk_.sync_takes);
-        node_->synced = std::max(node_->synced, std::min(size, node_->bytes.size()));
+        if (disk_.took)
+            disk_.world_.at(disk_.world_.now() + *disk_.took, synced);
+        else
+            synced();
     }
 
 private:
@@ -64,14 +69,17 @@ void SimDisk::refuse(int error) {
 }
 
 void SimDisk::wait(double seconds) {
-    if (served && seconds > 0) world_.run_until(world_.now() + seconds);
+    if (took)
+        *took += seconds;
+    else if (served && seconds > 0)
+        world_.run_until(world_.now() + seconds);
 }
 
-void SimDisk::write(Node& node, keep::Bytes bytes, std::size_t& taken) {
+void SimDisk::write(Node& node, files::Bytes bytes, std::size_t& taken) {
     if (lost_) throw Crash{lost_how_};
     const bool lost = lost_now();
     std::size_t most = bytes.size();
-    if (lost) most = world_.chance().below(most + 1); // in the midst of it
+    if (lost) most = chance_.below(most + 1); // in the midst of it
     if (!lost && refuses) refuse(EIO);
     const std::uint64_t used = this->bytes();
     most = std::min<std::uint64_t>(most, room > used ? room - used : 0);
@@ -105,6 +113,18 @@ std::uint64_t SimDisk::bytes_below(const fs::path& folder) const {
     return sum;
 }
 
+std::optional<files::Bytes> SimDisk::content(const fs::path& file) const {
+    const auto found = entries_.find(file);
+    if (found == entries_.end()) return std::nullopt;
+    return files::Bytes(found->second->bytes);
+}
+
+void SimDisk::clear_away(const fs::path& path) {
+    for (Entries* entries : {&entries_, &on_disk_})
+        std::erase_if(*entries,
+                      [&](const auto& entry) { return entry.first == path || is_below(entry.first, path); });
+}
+
 void SimDisk::lose_the_end(const std::string& ending, std::size_t bytes) {
     for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
         auto& all = entry->second->bytes;
@@ -118,16 +138,15 @@ void SimDisk::lose_the_end(const std::string& ending, std::size_t bytes) {
 void SimDisk::lose(Loss how) {
     lost_ = served = false;
     lost_at_ = 0;
-    Chance& chance = world_.chance();
     if (how == Loss::power_cut) {
-        const std::size_t have = chance.below(changes_.size() + 1);
+        const std::size_t have = chance_.below(changes_.size() + 1);
         for (std::size_t k = 0; k < have; ++k)
             changes_[k](on_disk_);
         for (auto& [path, node] : on_disk_) {
             auto& bytes = node->bytes;
-            bytes.resize(node->synced + chance.below(bytes.size() - node->synced + 1));
+            bytes.resize(node->synced + chance_.below(bytes.size() - node->synced + 1));
             for (std::size_t at = node->synced; at < bytes.size(); at = (at / kPage + 1) * kPage)
-                if (chance.in(0.3))
+                if (chance_.in(0.3))
                     std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(at),
                               bytes.begin() + static_cast<std::ptrdiff_t>(
                                                   std::min(bytes.size(), (at / kPage + 1) * kPage)),
@@ -144,13 +163,13 @@ bool SimDisk::rot(const std::string& ending) {
     for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
         Node& node = *entry->second;
         if (node.synced == 0 || !entry->first.native().ends_with(ending)) continue;
-        node.bytes[world_.chance().below(node.synced)] ^= 1U << world_.chance().below(8);
+        node.bytes[chance_.below(node.synced)] ^= 1U << chance_.below(8);
         return true;
     }
     return false;
 }
 
-std::unique_ptr<keep::DiskFile> SimDisk::make(const fs::path& file) {
+std::unique_ptr<files::File> SimDisk::make(const fs::path& file, files::ReadBy) {
     if (entries_.contains(file)) refuse(EEXIST);
     const auto node = std::make_shared<Node>();
     change([file, node](Entries& entries) { entries[file] = node; });
@@ -159,7 +178,7 @@ std::unique_ptr<keep::DiskFile> SimDisk::make(const fs::path& file) {
     return std::make_unique<File>(*this, node);
 }
 
-void SimDisk::append(const fs::path& file, keep::Bytes bytes) {
+void SimDisk::append(const fs::path& file, files::Bytes bytes) {
     if (!entries_.contains(file)) {
         const auto node = std::make_shared<Node>();
         change([file, node](Entries& entries) { entries[file] = node; });
@@ -176,7 +195,7 @@ std::vector<std::uint8_t> SimDisk::read(const fs::path& file) {
 }
 
 bool SimDisk::exists(const fs::path& path) {
-    return entries_.contains(path);
+    return path == path.root_path() || entries_.contains(path);
 }
 
 std::vector<fs::path> SimDisk::list(const fs::path& folder) {

@@ -18,9 +18,11 @@ constexpr int kFailed = 1, kBadExercise = 2;
 std::string line(std::uint64_t seed, const windlass::sim::Outcome& found) {
     return fmt::format(
         "seed {}: {} ticks in {:.0f} s, {} kills, {} power cuts, {} taken up, {} set back, {} begun anew, "
-        "{} rotten, {} left, {} predictions, digest {:016x}",
+        "{} rotten, {} left, {} predictions, {} recordings, {} recorder kills, {} pages, {} sent away, "
+        "{} stations killed, digest {:016x}",
         seed, found.ticks, found.simulated, found.kills, found.power_cuts, found.taken_up, found.set_back,
-        found.anew, found.rotten, found.left, found.predictions, found.digest);
+        found.anew, found.rotten, found.left, found.predictions, found.recordings, found.recorder_kills,
+        found.pages, found.sent_away, found.stations, found.digest);
 }
 
 } // namespace
@@ -30,10 +32,9 @@ int main(int argc, char** argv) {
     std::uint64_t seed = 1, seeds = 1;
     std::filesystem::path exercise;
     sim::Plan plan;
-    CLI::App app("Runs simulated centres, each drawn from its seed: a server that keeps its exercise, and "
-                 "stations, on "
-                 "a simulated clock, network and disk. Prints a line for each; ends with the first that "
-                 "fails a check.",
+    CLI::App app("Runs simulated centres, each drawn from its seed: a server that keeps its exercise, "
+                 "stations and a recorder, on a simulated clock, network and disks. Prints a line for each; "
+                 "ends with the first that fails a check.",
                  "windlass_sim");
     app.add_option("SEED", seed, "The first seed")->required()->check(CLI::NonNegativeNumber);
     app.add_option("--seeds", seeds, "How many, one after the other")

@@ -14,41 +14,38 @@ std::string why(int error) {
     return std::generic_category().message(error);
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
-    const int error = errno;
-    throw WriteError(path.string() + ": cannot " + what + ": " + why(error), error);
+/// What the disk refuses, with the file's name and what was tried.
+template <class Act>
+auto trying_to(const char* what, const std::filesystem::path& path, Act act) {
+    try {
+        return act();
+    } catch (const std::system_error& refused) {
+        const int error = refused.code().value();
+        throw WriteError(path.string() + ": cannot " + what + ": " + why(error), error);
+    }
 }
 
 } // namespace
 
-OutFile::OutFile(const std::filesystem::path& path) : path_(path) {
-    descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-    if (descriptor_ < 0) fail(path_, "make this file");
-}
-
-OutFile::~OutFile() {
-    close(descriptor_);
-}
+OutFile::OutFile(const std::filesystem::path& path, files::Disk& disk)
+    : path_(path),
+      file_(trying_to("make this file", path, [&] { return disk.make(path, files::ReadBy::all); })) {}
 
 void OutFile::write(Bytes bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail(path_, "write");
-        size_ += static_cast<std::uint64_t>(written);
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
+        const std::size_t written = trying_to("write", path_, [&] { return file_->append(bytes); });
+        size_ += written;
+        bytes = bytes.subspan(written);
     }
 }
 
 void OutFile::cut(std::uint64_t size) {
-    if (ftruncate(descriptor_, static_cast<off_t>(size)) != 0 ||
-        lseek(descriptor_, static_cast<off_t>(size), SEEK_SET) < 0)
-        fail(path_, "cut off what was half written");
+    trying_to("cut off what was half written", path_, [&] { file_->cut(size); });
     size_ = size;
 }
 
 void OutFile::sync() {
-    if (fdatasync(descriptor_) != 0) fail(path_, "write to the disk");
+    trying_to("write to the disk", path_, [&] { file_->sync(); });
 }
 
 InFile::InFile(const std::filesystem::path& path) : path_(path) {

@@ -1,9 +1,11 @@
 #pragma once
-// A file being written or read, by descriptor; errors say which file, what was tried, and why it failed.
+// A file being written or read; errors say which file, what was tried, and why it failed.
 
+#include "common/disk.hpp"
 #include "recorder/mcap/bytes.hpp"
 
 #include <filesystem>
+#include <memory>
 
 namespace windlass::mcap {
 
@@ -21,10 +23,7 @@ private:
 class OutFile {
 public:
     /// Throws WriteError, also where the file exists already.
-    explicit OutFile(const std::filesystem::path& path);
-    ~OutFile();
-    OutFile(const OutFile&) = delete;
-    OutFile& operator=(const OutFile&) = delete;
+    explicit OutFile(const std::filesystem::path& path, files::Disk& disk = files::system_disk());
 
     /// Writes all, or throws WriteError having written a part.
     void write(Bytes bytes);
@@ -38,7 +37,7 @@ public:
 
 private:
     std::filesystem::path path_;
-    int descriptor_ = -1;
+    std::unique_ptr<files::File> file_;
     std::uint64_t size_ = 0;
 };
 

@@ -5,8 +5,8 @@
 
 namespace windlass::mcap {
 
-Writer::Writer(const std::filesystem::path& path, WriterOptions options)
-    : file_(path), options_(std::move(options)) {
+Writer::Writer(const std::filesystem::path& path, WriterOptions options, files::Disk& disk)
+    : file_(path, disk), options_(std::move(options)) {
     out_.assign(kMagic.begin(), kMagic.end());
     append(out_, Header{.profile = "", .library = options_.library});
     put(out_);

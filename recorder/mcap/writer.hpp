@@ -23,7 +23,8 @@ struct WriterOptions {
 /// the writer can still be closed. Messages of a chunk that could not be written are lost; lost() counts.
 class Writer {
 public:
-    Writer(const std::filesystem::path& path, WriterOptions options);
+    Writer(const std::filesystem::path& path, WriterOptions options,
+           files::Disk& disk = files::system_disk());
 
     /// Ids count up from 1 and are good in this file only.
     std::uint16_t add_schema(std::string name, std::string encoding, std::string data);

@@ -3,7 +3,7 @@
 #include "recorder/command.hpp"
 #include "recorder/record/capture.hpp"
 #include "recorder/record/disk_space.hpp"
-#include "recorder/record/tape.hpp"
+#include "recorder/record/tape_feed.hpp"
 #include "recorder/recording/typed.hpp"
 #include "station/options.hpp"
 
@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <csignal>
-#include <numeric>
 #include <unistd.h>
 
 namespace windlass::recorder {
@@ -51,10 +50,6 @@ mcap::Strings metadata(const RecordOptions& options) {
             {"partition", options.session.session().partition}};
 }
 
-std::uint64_t total(const Drops& drops) {
-    return std::accumulate(drops.begin(), drops.end(), std::uint64_t{0});
-}
-
 /// One recording, from the first sample to the last.
 class Session {
 public:
@@ -83,7 +78,7 @@ public:
         } catch (const mcap::WriteError& error) {
             disk_refused(error);
         }
-        if (!heard_something()) tape_.discard();
+        if (!feed_.heard_something()) tape_.discard();
         return report();
     }
 
@@ -99,13 +94,9 @@ private:
     }
 
     void write_what_came(std::chrono::milliseconds wait) {
-        const auto samples = queue_.pop_all(wait);
-        in_hand_ = samples.size();
-        for (const auto& sample : samples) {
-            --in_hand_;
-            tape_.write(sample);
+        feed_.write_what_came(wait, [this](const Sample& sample) {
             if (wire::topics::all[sample.topic].name == kStatus) look_at(sample);
-        }
+        });
     }
 
     /// Another exercise than before: its files go with the recording.
@@ -134,7 +125,7 @@ private:
         if (Clock::now() < next_look_) return;
         next_look_ = Clock::now() + 1s;
         tape_.flush();
-        if (const auto drops = total(queue_.drops()); drops != drops_told_) {
+        if (const auto drops = feed_.dropped(); drops != drops_told_) {
             tell(fmt::format("{} samples dropped so far: the disk does not keep up (--queue)", drops));
             drops_told_ = drops;
         }
@@ -148,7 +139,7 @@ private:
         ended_ = error.what();
         code_ = kDisk;
         capture_.reset();
-        in_hand_ += queue_.pop_all(0ms).size();
+        feed_.give_up();
         try {
             tape_.close(closing()); // the end of a chunk that did not fit may be room enough
         } catch (const mcap::WriteError&) {
@@ -156,28 +147,12 @@ private:
         }
     }
 
-    mcap::Strings closing() const {
-        mcap::Strings entries{{"ended", utc_now("{:%Y-%m-%dT%H:%M:%SZ}")},
-                              {"because", ended_},
-                              {"messages", std::to_string(tape_.messages())},
-                              {"lost_at_end", std::to_string(tape_.lost() + in_hand_)},
-                              {"dropped", std::to_string(total(queue_.drops()))}};
-        const auto drops = queue_.drops();
-        for (std::size_t topic = 0; topic < drops.size(); ++topic)
-            if (drops[topic] > 0)
-                entries[std::string("dropped.") + wire::topics::all[topic].name] =
-                    std::to_string(drops[topic]);
-        return entries;
-    }
-
-    /// Where nobody was heard, as in the wrong domain or partition, there is nothing to be kept.
-    bool heard_something() const {
-        return tape_.messages() + tape_.lost() + in_hand_ + total(queue_.drops()) > 0;
-    }
+    mcap::Strings closing() const { return feed_.closing(utc_now("{:%Y-%m-%dT%H:%M:%SZ}"), ended_); }
 
     int report() const {
         tell(fmt::format("{}: {}", code_ == kOk ? "ended" : "ended early", ended_));
-        if (!heard_something()) {
+        // Where nobody was heard, as in the wrong domain or partition, there is nothing to be kept.
+        if (!feed_.heard_something()) {
             tell(fmt::format("nothing was heard in partition {} of domain {}: no recording is left in {}",
                              options_.session.session().partition, options_.session.domain,
                              options_.output.string()));
@@ -185,9 +160,9 @@ private:
         }
         tell(fmt::format("{} messages saved in {} file{} of {} in {}", tape_.messages(), tape_.files(),
                          tape_.files() == 1 ? "" : "s", megabytes(tape_.bytes()), options_.output.string()));
-        if (const auto drops = total(queue_.drops()); drops > 0)
+        if (const auto drops = feed_.dropped(); drops > 0)
             tell(fmt::format("{} samples were dropped: the disk did not keep up (--queue)", drops));
-        if (const auto lost = tape_.lost() + in_hand_; lost > 0)
+        if (const auto lost = feed_.lost(); lost > 0)
             tell(fmt::format("{} messages at the end could not be written", lost));
         return code_;
     }
@@ -196,10 +171,10 @@ private:
     SampleQueue queue_;
     std::optional<Capture> capture_; // before the tape: who cannot join makes no folder
     Tape tape_;
+    TapeFeed feed_{queue_, tape_};
     Clock::time_point started_ = Clock::now(), next_look_ = started_ + 1s;
     std::string ended_, exercise_;
     std::uint64_t drops_told_ = 0;
-    std::uint64_t in_hand_ = 0; // samples taken from the queue and not yet given to the tape
     int code_ = kOk;
 };
 

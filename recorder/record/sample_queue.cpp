@@ -6,15 +6,23 @@ namespace windlass::recorder {
 
 namespace {
 
-std::int64_t wall_now() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(
-               std::chrono::system_clock::now().time_since_epoch())
-        .count();
+/// ns of that clock.
+template <class Clock>
+std::int64_t ns_of() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
 }
 
 } // namespace
 
-SampleQueue::SampleQueue(std::size_t max_bytes) : max_bytes_(max_bytes), wall_start_(wall_now()) {}
+QueueClock machine_clock() {
+    return {.wall = ns_of<std::chrono::system_clock>, .steady = ns_of<std::chrono::steady_clock>};
+}
+
+SampleQueue::SampleQueue(std::size_t max_bytes, QueueClock clock)
+    : max_bytes_(max_bytes),
+      clock_(std::move(clock)),
+      steady_start_(clock_.steady()),
+      wall_start_(clock_.wall()) {}
 
 bool SampleQueue::push(Sample&& sample, std::int64_t written_unix_ns) {
     const std::lock_guard lock(mutex_);
@@ -22,10 +30,9 @@ bool SampleQueue::push(Sample&& sample, std::int64_t written_unix_ns) {
         ++drops_[sample.topic];
         return false;
     }
-    const auto since = std::chrono::steady_clock::now() - steady_start_;
-    sample.log_time = wall_start_ + std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
+    sample.log_time = wall_start_ + clock_.steady() - steady_start_;
     // How long the sample was under way is known by the wall clock now, and kept.
-    sample.publish_time = sample.log_time - (wall_now() - written_unix_ns);
+    sample.publish_time = sample.log_time - (clock_.wall() - written_unix_ns);
     bytes_ += sample.size();
     samples_.push_back(std::move(sample));
     news_.notify_one();

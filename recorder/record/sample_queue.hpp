@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 
 namespace windlass::recorder {
@@ -27,11 +28,19 @@ struct Sample {
 /// Samples dropped of each topic, by row of wire::topics::all.
 using Drops = std::array<std::uint64_t, wire::topics::all.size()>;
 
+/// What the time is.
+struct QueueClock {
+    std::function<std::int64_t()> wall;   ///< ns since 1970
+    std::function<std::int64_t()> steady; ///< ns, and nobody sets it
+};
+/// That of the machine.
+QueueClock machine_clock();
+
 /// Any number of threads push, one takes.
 class SampleQueue {
 public:
     /// Holds that many bytes, what was taken last included.
-    explicit SampleQueue(std::size_t max_bytes);
+    explicit SampleQueue(std::size_t max_bytes, QueueClock clock = machine_clock());
 
     /// Sets log_time and publish_time, and keeps the order of log_time. written_unix_ns is by the writer's
     /// clock. False, and counted, when there is no room.
@@ -44,6 +53,7 @@ public:
 
 private:
     const std::size_t max_bytes_;
+    const QueueClock clock_;
     mutable std::mutex mutex_;
     std::condition_variable news_;
     std::vector<Sample> samples_;
@@ -51,8 +61,7 @@ private:
     std::size_t bytes_taken_ = 0; // in the hands of who took them last
     Drops drops_{};
     // Recorded times run evenly: wall time of the start, carried on by a clock that nobody sets.
-    std::chrono::steady_clock::time_point steady_start_ = std::chrono::steady_clock::now();
-    std::int64_t wall_start_;
+    const std::int64_t steady_start_, wall_start_;
 };
 
 } // namespace windlass::recorder

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 
 namespace windlass::recorder {
 
@@ -36,11 +37,11 @@ std::int64_t now() {
 
 } // namespace
 
-Tape::Tape(TapeOptions options) : options_(std::move(options)) {
+Tape::Tape(TapeOptions options, files::Disk& disk) : options_(std::move(options)), disk_(disk) {
     try {
         make_folder();
-        for (const auto& entry : fs::directory_iterator(options_.folder))
-            if (entry.path().extension() == ".mcap")
+        for (const auto& path : disk_.list(options_.folder))
+            if (path.extension() == ".mcap")
                 throw std::runtime_error(options_.folder.string() +
                                          ": there is a recording in it already; name another folder");
         begin_file();
@@ -51,30 +52,36 @@ Tape::Tape(TapeOptions options) : options_(std::move(options)) {
 }
 
 void Tape::make_folder() {
-    std::error_code error;
-    for (fs::path path = fs::absolute(options_.folder / "").parent_path(); !fs::exists(path, error) && !error;
-         path = path.parent_path())
-        made_.push_back(path);
-    if (!error) fs::create_directories(options_.folder, error);
-    if (error)
-        throw mcap::WriteError(options_.folder.string() + ": cannot make this folder: " + error.message(),
-                               error.value());
+    try {
+        for (fs::path path = fs::absolute(options_.folder / "").parent_path(); !disk_.exists(path);
+             path = path.parent_path())
+            made_.push_back(path);
+        disk_.make_folder(options_.folder);
+    } catch (const std::system_error& error) {
+        throw mcap::WriteError(options_.folder.string() +
+                                   ": cannot make this folder: " + error.code().message(),
+                               error.code().value());
+    }
 }
 
 void Tape::discard() {
     file_.reset();
-    std::error_code stays; // what holds something else, or the system does not let go
-    for (const auto& path : made_)
-        fs::remove(path, stays);
+    for (const auto& path : made_) {
+        try {
+            disk_.remove(path);
+        } catch (const std::system_error&) { // it holds something else, or the system does not let it go
+            continue;
+        }
+    }
 }
 
 void Tape::begin_file() {
     const auto folder = fs::absolute(options_.folder / "").parent_path();
     const auto name = fmt::format("{}_{:03}.mcap", folder.filename().string(), part_);
     made_.insert(made_.begin(), folder / name);
-    file_ =
-        std::make_unique<mcap::Writer>(folder / name, mcap::WriterOptions{.compression = options_.compression,
-                                                                          .library = "windlass recorder"});
+    file_ = std::make_unique<mcap::Writer>(
+        folder / name,
+        mcap::WriterOptions{.compression = options_.compression, .library = "windlass recorder"}, disk_);
     mcap::Strings metadata = options_.metadata;
     metadata["part"] = std::to_string(part_++);
     metadata["wire_version"] = std::to_string(WIRE_VERSION);
@@ -86,8 +93,12 @@ void Tape::begin_file() {
     write_attachments();
 }
 
+/// The disk has the file then; that it is in its folder, and those that were made in theirs, is another
+/// thing.
 void Tape::end_file() {
     file_->close();
+    for (const auto& path : made_)
+        disk_.sync_folder(path.parent_path());
     bytes_before_ += file_->size();
     lost_before_ += file_->lost();
     file_.reset();

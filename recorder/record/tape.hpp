@@ -20,14 +20,15 @@ struct TapeOptions {
 /// may still be tried.
 class Tape {
 public:
-    explicit Tape(TapeOptions options);
+    explicit Tape(TapeOptions options, files::Disk& disk = files::system_disk());
 
     void write(const Sample& sample);
     /// Writes the open chunk: what came until now survives the end of this program.
     void flush();
     /// Keeps the files with the recording, in this file and in those that follow.
     void attach(std::vector<ExerciseFile> files);
-    /// Ends the recording. The entries stand in the last file as metadata "windlass.closing".
+    /// Ends the recording, and waits until the disk has it. The entries stand in the last file as metadata
+    /// "windlass.closing".
     void close(const mcap::Strings& closing);
     /// Leaves nothing behind: neither its files nor the folders that it made, as far as the system lets them
     /// go. To be called last.
@@ -49,6 +50,7 @@ private:
     std::uint16_t channel_of(const Sample& sample);
 
     TapeOptions options_;
+    files::Disk& disk_;
     std::unique_ptr<mcap::Writer> file_;
     std::vector<std::filesystem::path> made_; // files and folders, a folder behind what is in it
     std::size_t part_ = 0;                    // files begun

@@ -81,6 +81,16 @@ void must_be_of_this_version(const mcap::Reader& file, const fs::path& named) {
                                ", or any MCAP reader, since the file has its types with it");
 }
 
+/// A further file of a recording. Nothing: its recorder was lost at the beginning of it, or the disk was
+/// full, and nothing is in it, not even of which recording it is.
+std::unique_ptr<mcap::Reader> open_further(const fs::path& path) {
+    std::error_code unknown;
+    if (fs::file_size(path, unknown) < mcap::kMagic.size()) return nullptr;
+    auto file = std::make_unique<mcap::Reader>(path);
+    if (said_of_recording(*file) == nullptr && file->chunks().empty()) return nullptr;
+    return file;
+}
+
 } // namespace
 
 KeptMessage::KeptMessage(const Message& message)
@@ -95,7 +105,12 @@ Recording::Recording(const std::vector<fs::path>& paths) {
     const fs::path named = fs::absolute(paths.front()).lexically_normal();
     name_ = named.has_filename() ? named.stem().string() : named.parent_path().filename().string();
     for (const auto& path : files) {
-        files_.push_back(std::make_unique<mcap::Reader>(path));
+        auto opened = files_.empty() ? std::make_unique<mcap::Reader>(path) : open_further(path);
+        if (!opened) {
+            tell(path.string() + ": it was begun, and nothing is in it");
+            continue;
+        }
+        files_.push_back(std::move(opened));
         const auto& file = *files_.back();
         must_be_of_this_version(file, paths.size() == 1 ? paths.front() : path);
         if (recording_id(file) != recording_id(*files_.front())) {

@@ -15,7 +15,7 @@ std::vector<std::uint8_t> encode(const Beginning& beginning) {
     return out.release();
 }
 
-Beginning decode_beginning(Bytes payload) {
+Beginning decode_beginning(files::Bytes payload) {
     idl::CdrReader in(payload);
     Beginning beginning;
     beginning.orders = in.text();

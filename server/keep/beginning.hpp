@@ -1,7 +1,7 @@
 #pragma once
 // With what a file of a kept exercise begins.
 
-#include "server/keep/disk.hpp"
+#include "common/disk.hpp"
 #include "server/run/resumption.hpp"
 
 #include <cstdint>
@@ -21,6 +21,6 @@ struct Beginning {
 
 std::vector<std::uint8_t> encode(const Beginning& beginning);
 /// Throws idl::PayloadError where the bytes are none.
-Beginning decode_beginning(Bytes payload);
+Beginning decode_beginning(files::Bytes payload);
 
 } // namespace windlass::keep

@@ -33,7 +33,7 @@ constexpr auto kClosing = 3s;
 constexpr std::string_view kAttempts = ".attempts";
 constexpr std::string_view kSetBack = "-set-back";
 
-std::vector<fs::path> files_of(const fs::path& folder, std::string_view ending, Disk& disk) {
+std::vector<fs::path> files_of(const fs::path& folder, std::string_view ending, files::Disk& disk) {
     std::vector<fs::path> files;
     for (fs::path& path : disk.list(folder))
         if (path.extension() == ending) files.push_back(std::move(path));
@@ -41,7 +41,7 @@ std::vector<fs::path> files_of(const fs::path& folder, std::string_view ending, 
 }
 
 /// The last that a file there has, of whatever kind.
-std::uint64_t last_number(const fs::path& folder, Disk& disk) {
+std::uint64_t last_number(const fs::path& folder, files::Disk& disk) {
     std::uint64_t last = 0;
     for (const fs::path& path : disk.list(folder))
         last = std::max(last, number_of(path));
@@ -49,7 +49,7 @@ std::uint64_t last_number(const fs::path& folder, Disk& disk) {
 }
 
 /// Where it can be removed.
-void try_to_remove(Disk& disk, const fs::path& path) {
+void try_to_remove(files::Disk& disk, const fs::path& path) {
     try {
         disk.remove(path);
     } catch (const std::system_error&) { // it stays, then
@@ -67,7 +67,7 @@ std::uint64_t number_of(const fs::path& file) {
     return std::strtoull(file.stem().c_str(), nullptr, 10);
 }
 
-std::vector<fs::path> kept_files(const fs::path& folder, Disk& disk) {
+std::vector<fs::path> kept_files(const fs::path& folder, files::Disk& disk) {
     std::vector<fs::path> files = files_of(folder, ".kept", disk);
     std::ranges::sort(files, {}, number_of);
     return files;
@@ -85,16 +85,16 @@ fs::path attempts_file(const fs::path& folder, std::uint64_t settled) {
     return folder / fmt::format("{:06}{}", settled, kAttempts);
 }
 
-std::vector<fs::path> attempts_files(const fs::path& folder, Disk& disk) {
+std::vector<fs::path> attempts_files(const fs::path& folder, files::Disk& disk) {
     return files_of(folder, kAttempts, disk);
 }
 
-void forget_attempts(const fs::path& folder, Disk& disk) {
+void forget_attempts(const fs::path& folder, files::Disk& disk) {
     for (const fs::path& file : attempts_files(folder, disk))
         disk.remove(file);
 }
 
-void remove_kept(const fs::path& folder, Disk& disk) {
+void remove_kept(const fs::path& folder, files::Disk& disk) {
     for (const fs::path& file : kept_files(folder, disk)) // the newest last: an earlier state is not taken up
         try_to_remove(disk, file);
     for (const fs::path& file : attempts_files(folder, disk))
@@ -102,7 +102,7 @@ void remove_kept(const fs::path& folder, Disk& disk) {
     try_to_remove(disk, folder);
 }
 
-KeptExercise::KeptExercise(fs::path folder, std::string id, std::uint64_t definition_hash, Disk& disk,
+KeptExercise::KeptExercise(fs::path folder, std::string id, std::uint64_t definition_hash, files::Disk& disk,
                            Now now)
     : folder_(std::move(folder)),
       id_(std::move(id)),

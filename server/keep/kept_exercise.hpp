@@ -24,7 +24,7 @@ namespace windlass::keep {
 std::uint64_t number_of(const std::filesystem::path& file);
 /// Files of kept exercises in a folder, the oldest first.
 std::vector<std::filesystem::path> kept_files(const std::filesystem::path& folder,
-                                              Disk& disk = system_disk());
+                                              files::Disk& disk = files::system_disk());
 /// The file of a checkpoint alone, behind that one, at which an exercise stands that was set back; and
 /// whether a file is one.
 std::filesystem::path set_back_file(const std::filesystem::path& behind);
@@ -34,11 +34,11 @@ bool is_set_back(const std::filesystem::path& file);
 std::filesystem::path attempts_file(const std::filesystem::path& folder, std::uint64_t settled);
 /// Those that are there, in any order.
 std::vector<std::filesystem::path> attempts_files(const std::filesystem::path& folder,
-                                                  Disk& disk = system_disk());
+                                                  files::Disk& disk = files::system_disk());
 /// Nothing was counted, then. Throws std::system_error.
-void forget_attempts(const std::filesystem::path& folder, Disk& disk = system_disk());
+void forget_attempts(const std::filesystem::path& folder, files::Disk& disk = files::system_disk());
 /// Removes what is kept in the folder, and the folder.
-void remove_kept(const std::filesystem::path& folder, Disk& disk = system_disk());
+void remove_kept(const std::filesystem::path& folder, files::Disk& disk = files::system_disk());
 
 /// Takes what is new of a session from the thread that ticks, which never waits for it; writes it on a second
 /// thread, and waits for the disk on a third.
@@ -50,7 +50,7 @@ public:
     /// folder: of this exercise alone; made when something is written. definition_hash: of the definition
     /// that the exercise was opened with.
     KeptExercise(std::filesystem::path folder, std::string id, std::uint64_t definition_hash,
-                 Disk& disk = system_disk(), Now now = Clock::now);
+                 files::Disk& disk = files::system_disk(), Now now = Clock::now);
 
     // Of the thread that ticks.
 
@@ -104,7 +104,7 @@ private:
     const std::filesystem::path folder_;
     const std::string id_;
     const std::uint64_t definition_hash_;
-    Disk& disk_;
+    files::Disk& disk_;
     const Now now_;
 
     // Of the thread that ticks

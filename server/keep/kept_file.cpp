@@ -28,13 +28,13 @@ void put(std::vector<std::uint8_t>& bytes, Number number) {
 }
 
 template <class Number>
-Number number_at(Bytes bytes, std::size_t at) {
+Number number_at(files::Bytes bytes, std::size_t at) {
     Number number{};
     std::memcpy(&number, bytes.data() + at, sizeof number);
     return number;
 }
 
-std::uint32_t checksum(Bytes kind_and_payload) {
+std::uint32_t checksum(files::Bytes kind_and_payload) {
     return static_cast<std::uint32_t>(crc32_z(0, kind_and_payload.data(), kind_and_payload.size()));
 }
 
@@ -42,15 +42,15 @@ std::uint32_t checksum(Bytes kind_and_payload) {
     throw KeptError(path.string() + ": cannot " + what + ": " + error.code().message());
 }
 
-std::unique_ptr<DiskFile> make_file(Disk& disk, const std::filesystem::path& path) {
+std::unique_ptr<files::File> make_file(files::Disk& disk, const std::filesystem::path& path) {
     try {
-        return disk.make(path);
+        return disk.make(path, files::ReadBy::owner);
     } catch (const std::system_error& error) {
         fail(path, "make this file", error);
     }
 }
 
-std::vector<std::uint8_t> read_file(Disk& disk, const std::filesystem::path& path) {
+std::vector<std::uint8_t> read_file(files::Disk& disk, const std::filesystem::path& path) {
     try {
         return disk.read(path);
     } catch (const std::system_error& error) {
@@ -59,7 +59,7 @@ std::vector<std::uint8_t> read_file(Disk& disk, const std::filesystem::path& pat
 }
 
 /// The record at that byte; nothing: no whole one begins there.
-std::optional<KeptContents::Entry> record_at(Bytes bytes, std::size_t at) {
+std::optional<KeptContents::Entry> record_at(files::Bytes bytes, std::size_t at) {
     if (bytes.size() - at < kHead) return std::nullopt;
     const auto length = number_at<std::uint32_t>(bytes, at);
     const auto kind = bytes[at + kHead - 1];
@@ -73,7 +73,7 @@ std::optional<KeptContents::Entry> record_at(Bytes bytes, std::size_t at) {
 }
 
 /// Up to which byte the disk is known to have the file, by what stands at or behind that place.
-std::uint64_t synced_behind(Bytes bytes, std::size_t from) {
+std::uint64_t synced_behind(files::Bytes bytes, std::size_t from) {
     std::uint64_t synced = 0;
     for (std::size_t at = from; at + kHead + sizeof synced <= bytes.size(); ++at) {
         if (bytes[at + kHead - 1] != static_cast<std::uint8_t>(Record::synced) ||
@@ -87,20 +87,20 @@ std::uint64_t synced_behind(Bytes bytes, std::size_t from) {
 
 } // namespace
 
-KeptWriter::KeptWriter(std::filesystem::path path, Disk& disk)
+KeptWriter::KeptWriter(std::filesystem::path path, files::Disk& disk)
     : path_(std::move(path)), file_(make_file(disk, path_)) {
     waiting_.reserve(kBegin);
     waiting_.assign(kMark.begin(), kMark.end());
     put(waiting_, kKeptFormat);
 }
 
-void KeptWriter::add(Record kind, Bytes payload) {
+void KeptWriter::add(Record kind, files::Bytes payload) {
     put(waiting_, static_cast<std::uint32_t>(payload.size()));
     const std::size_t check = waiting_.size();
     put(waiting_, std::uint32_t{0});
     waiting_.push_back(static_cast<std::uint8_t>(kind));
     waiting_.insert(waiting_.end(), payload.begin(), payload.end());
-    const std::uint32_t sum = checksum(Bytes(waiting_).subspan(check + sizeof sum));
+    const std::uint32_t sum = checksum(files::Bytes(waiting_).subspan(check + sizeof sum));
     std::memcpy(waiting_.data() + check, &sum, sizeof sum);
 }
 
@@ -109,7 +109,7 @@ void KeptWriter::write() {
     std::size_t done = 0;
     try {
         while (done < waiting_.size())
-            done += file_->append(Bytes(waiting_).subspan(done));
+            done += file_->append(files::Bytes(waiting_).subspan(done));
     } catch (const std::system_error& error) {
         waiting_.clear();
         try {
@@ -131,8 +131,9 @@ void KeptWriter::sync() const {
     }
 }
 
-KeptContents::KeptContents(const std::filesystem::path& path, Disk& disk) : bytes_(read_file(disk, path)) {
-    const Bytes bytes(bytes_);
+KeptContents::KeptContents(const std::filesystem::path& path, files::Disk& disk)
+    : bytes_(read_file(disk, path)) {
+    const files::Bytes bytes(bytes_);
     if (bytes.size() < kBegin) { // killed before its first word was whole
         cut_off_ = bytes.size();
         return;

@@ -6,8 +6,7 @@
 // kind and payload, u8 kind, payload. Payloads are the wire's (CDR) and are opened by who keeps and takes up;
 // here only `synced` is looked into: u64, up to which byte the file is known to be on the disk.
 
-#include "server/keep/disk.hpp"
-
+#include "common/disk.hpp"
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -37,10 +36,10 @@ enum class Record : std::uint8_t {
 class KeptWriter {
 public:
     /// Makes the file, which must not be there. Throws KeptError.
-    explicit KeptWriter(std::filesystem::path path, Disk& disk = system_disk());
+    explicit KeptWriter(std::filesystem::path path, files::Disk& disk = files::system_disk());
 
     /// Puts a record behind those that wait.
-    void add(Record kind, Bytes payload);
+    void add(Record kind, files::Bytes payload);
     /// Hands what waits to the system, whole or not at all: what was written in part is cut off. Throws
     /// KeptError.
     void write();
@@ -52,7 +51,7 @@ public:
 
 private:
     std::filesystem::path path_;
-    std::unique_ptr<DiskFile> file_;
+    std::unique_ptr<files::File> file_;
     std::uint64_t size_ = 0;
     std::vector<std::uint8_t> waiting_;
 };
@@ -63,13 +62,13 @@ public:
     struct Entry {
         Record kind;
         std::uint64_t at = 0; ///< byte at which the record begins
-        Bytes payload;
+        files::Bytes payload;
     };
 
     /// Reads the file up to the last record that is whole. What is behind it was being written when the
     /// program or the power went, and is left out, unless the disk was known to have it: then the file is
     /// damaged. Throws KeptError.
-    explicit KeptContents(const std::filesystem::path& path, Disk& disk = system_disk());
+    explicit KeptContents(const std::filesystem::path& path, files::Disk& disk = files::system_disk());
     KeptContents(const KeptContents&) = delete;
     KeptContents& operator=(const KeptContents&) = delete;
 

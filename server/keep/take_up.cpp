@@ -118,7 +118,8 @@ std::optional<Kept> open_kept(const KeptContents& contents, const fs::path& file
     return kept;
 }
 
-std::optional<Kept> open_kept(Disk& disk, const fs::path& file, const std::string& id, const TakeUp& wanted) {
+std::optional<Kept> open_kept(files::Disk& disk, const fs::path& file, const std::string& id,
+                              const TakeUp& wanted) {
     return open_kept(KeptContents(file, disk), file, id, wanted);
 }
 
@@ -187,7 +188,7 @@ run::Course work_again(const Kept& kept, const TakeUp& wanted) {
 }
 
 /// Leaves so many places below `aside` at most, those that were put there last: each is some megabytes.
-void tidy(Disk& disk, const fs::path& aside, std::size_t most) {
+void tidy(files::Disk& disk, const fs::path& aside, std::size_t most) {
     std::vector<std::pair<fs::file_time_type, fs::path>> places;
     for (fs::path& place : disk.list(aside)) {
         const auto written_at = disk.written_at(place);
@@ -199,7 +200,7 @@ void tidy(Disk& disk, const fs::path& aside, std::size_t most) {
 }
 
 /// A place below `aside` that is free: ID-1, ID-2 and so on.
-fs::path free_place(Disk& disk, const fs::path& aside, const std::string& id) {
+fs::path free_place(files::Disk& disk, const fs::path& aside, const std::string& id) {
     disk.make_folder(aside);
     tidy(disk, aside, kMaxAside - 1);
     for (int number = 1;; ++number)
@@ -207,7 +208,7 @@ fs::path free_place(Disk& disk, const fs::path& aside, const std::string& id) {
 }
 
 /// What was put aside stays there after a power cut: else a state that killed comes back, or an older course.
-void settle(Disk& disk, std::initializer_list<fs::path> folders) {
+void settle(files::Disk& disk, std::initializer_list<fs::path> folders) {
     for (const fs::path& folder : folders) {
         try {
             disk.sync_folder(folder);
@@ -218,7 +219,7 @@ void settle(Disk& disk, std::initializer_list<fs::path> folders) {
 
 /// Leaves the checkpoint of that file alone, without what is behind it, in one of its own: who is lost before
 /// he has a file of his own stands at that checkpoint again, and of him it counts anew. Throws KeptError.
-void leave_checkpoint(Disk& disk, const fs::path& file, const fs::path& alone) {
+void leave_checkpoint(files::Disk& disk, const fs::path& file, const fs::path& alone) {
     const KeptContents contents(file, disk);
     try {
         KeptWriter writer(alone, disk);
@@ -239,11 +240,11 @@ void leave_checkpoint(Disk& disk, const fs::path& file, const fs::path& alone) {
 }
 
 /// One for each time that the exercise was taken up since the file with which it settled.
-std::size_t attempts_in(Disk& disk, const fs::path& file) {
+std::size_t attempts_in(files::Disk& disk, const fs::path& file) {
     return disk.exists(file) ? disk.read(file).size() : 0;
 }
 
-void count_attempt(Disk& disk, const fs::path& file) {
+void count_attempt(files::Disk& disk, const fs::path& file) {
     constexpr std::uint8_t kOne = '.';
     try {
         disk.append(file, {&kOne, 1});
@@ -282,7 +283,7 @@ struct Checkpointed {
 
 /// The newest checkpoint of a course that is before that time (s); nothing: there is none. first: number of
 /// the course's first file.
-std::optional<Checkpointed> checkpoint_before(double time, std::uint64_t first, Disk& disk,
+std::optional<Checkpointed> checkpoint_before(double time, std::uint64_t first, files::Disk& disk,
                                               std::span<const fs::path> files, const std::string& id,
                                               const TakeUp& wanted) {
     for (auto file = files.rbegin(); file != files.rend() && number_of(*file) >= first; ++file) {
@@ -301,7 +302,7 @@ std::optional<Checkpointed> checkpoint_before(double time, std::uint64_t first, 
 /// Of an exercise that was set back to that: what it is not to be taken up from any more, in the order in
 /// which it is to go: where it begins from its file the newest last, since a server that is lost in the midst
 /// of it is followed by one that takes up the newest that is there, and is not to come to an older course.
-std::vector<fs::path> left_behind(const std::optional<Checkpointed>& stands, Disk& disk,
+std::vector<fs::path> left_behind(const std::optional<Checkpointed>& stands, files::Disk& disk,
                                   const std::vector<fs::path>& files, const std::string& id,
                                   const TakeUp& wanted) {
     if (!stands) return files;
@@ -323,7 +324,7 @@ std::vector<fs::path> left_behind(const std::optional<Checkpointed>& stands, Dis
 /// behind it; without one, the exercise begins from its file. A server that is lost in the midst of it, or
 /// before it had a file of its own, is followed by one that stands at the same checkpoint and says so, too.
 /// files: the last can be opened. Throws KeptError.
-TakenUp set_back(Disk& disk, const std::vector<fs::path>& files, const fs::path& folder,
+TakenUp set_back(files::Disk& disk, const std::vector<fs::path>& files, const fs::path& folder,
                  const std::string& id, const fs::path& aside, const TakeUp& wanted, std::size_t attempts) {
     const bool again = is_set_back(files.back()) && attempts < kMaxAttempts;
     const auto newest = open_kept(disk, files.back(), id, wanted).value();
@@ -361,7 +362,7 @@ TakenUp set_back(Disk& disk, const std::vector<fs::path>& files, const fs::path&
                          again ? "its last state" : "its state at " + run::clock_text(lost_at), place);
 }
 
-std::optional<TakenUp> look_for(Disk& disk, const fs::path& folder, const std::string& id,
+std::optional<TakenUp> look_for(files::Disk& disk, const fs::path& folder, const std::string& id,
                                 const fs::path& aside, const TakeUp& wanted) {
     auto files = kept_files(folder, disk);
     if (files.empty()) {
@@ -404,7 +405,7 @@ std::optional<TakenUp> look_for(Disk& disk, const fs::path& folder, const std::s
 } // namespace
 
 std::optional<TakenUp> take_up(const fs::path& folder, const std::string& id, const fs::path& aside,
-                               const TakeUp& wanted, Disk& disk) {
+                               const TakeUp& wanted, files::Disk& disk) {
     try {
         return look_for(disk, folder, id, aside, wanted);
     } catch (const std::system_error& error) { // of what is kept no more can be had, nor moved aside

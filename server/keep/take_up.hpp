@@ -1,8 +1,8 @@
 #pragma once
 // What was kept of an exercise when its server was lost, worked again up to the tick at which it stopped.
 
+#include "common/disk.hpp"
 #include "server/exercise/definition/exercise_def.hpp"
-#include "server/keep/disk.hpp"
 #include "server/run/resumption.hpp"
 
 #include <filesystem>
@@ -37,6 +37,6 @@ inline constexpr std::size_t kMaxAside = 50;
 /// kept.
 std::optional<TakenUp> take_up(const std::filesystem::path& folder, const std::string& id,
                                const std::filesystem::path& aside, const TakeUp& wanted,
-                               Disk& disk = system_disk());
+                               files::Disk& disk = files::system_disk());
 
 } // namespace windlass::keep

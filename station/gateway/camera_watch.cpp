@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto kUnused = 30s; // several rounds of a page with many pictures
+constexpr auto kUnwatched = 30s; // several rounds of a page with many pictures
 
 } // namespace
 
@@ -51,7 +51,7 @@ json CameraWatch::look(const SharedReaders& readers, const std::string& exercise
 }
 
 void CameraWatch::tick(Clock::time_point now) {
-    std::erase_if(looked_, [&](const auto& each) { return now - each.second.at > kUnused; });
+    std::erase_if(looked_, [&](const auto& each) { return now - each.second.at > kUnwatched; });
 }
 
 } // namespace windlass::gateway

@@ -3,8 +3,7 @@
 // the levers.
 
 #include "station/gateway/feed.hpp"
-#include "station/gateway/lever_desk.hpp"
-#include "station/gateway/orders.hpp"
+#include "station/gateway/page_host.hpp"
 
 #include <map>
 #include <memory>
@@ -58,33 +57,27 @@ private:
 };
 
 /// One thread.
-class ExerciseDesk {
+class ExerciseDesk final : public PageDesk {
 public:
     /// exercise: NAME without "exercise/". levers_changed: as LeverDesk::Changed. Throws std::runtime_error.
     ExerciseDesk(const SharedReaders& readers, const std::string& exercise, station::Seat seat,
                  const std::string& name, LeverDesk::Changed levers_changed);
 
-    const std::string& exercise() const { return exercise_; }
-    const Role& role() const { return role_; }
+    const std::string& exercise() const override { return exercise_; }
+    const Role& role() const override { return role_; }
     Feed& feed() { return feed_; }
-    LeverDesk& levers() { return levers_; }
+    LeverDesk& levers() override { return levers_; }
 
-    /// Throws Refused: what encode_order refuses, a topic that the role may not write here, and what nobody
-    /// would hear. by: who gives it; empty: the station.
-    void give(const wire::TopicInfo& topic, const nlohmann::json& sample, const std::string& by = {});
-
-    /// The levers that the page holds go out under that name; otherwise under the station's.
-    void call(LeverDesk::Page page, const std::string& name) { names_[page] = name; }
-
-    /// The page is gone.
-    void leave(LeverDesk::Page page);
+    void give(const wire::TopicInfo& topic, const nlohmann::json& sample,
+              const std::string& by = {}) override;
+    void call(LeverDesk::Page page, const std::string& name) override { names_[page] = name; }
+    void leave(LeverDesk::Page page) override;
 
     /// Looks whose word counts on the levers, and repeats that of the hands of these pages. 20 times a
     /// second.
     void tick(Clock::time_point now);
 
-    /// The topic on which this role works that hand's levers; nullptr: it has none.
-    const wire::TopicInfo* lever_topic(Hand hand) const;
+    const wire::TopicInfo* lever_topic(Hand hand) const override;
 
 private:
     void look_whose_word_counts(Hand hand);

@@ -10,7 +10,6 @@
 #include <atomic>
 #include <map>
 #include <mutex>
-#include <set>
 
 namespace windlass::gateway {
 
@@ -69,57 +68,35 @@ private:
     std::map<std::uint32_t, std::unique_ptr<Line>> lines_;
 };
 
-/// One topic: its reader, what is kept of it, and who listens.
+/// One topic: its reader, and what pages hear of it.
 struct Feed::Line {
     Line(Partition& of, const Channel& channel)
         : partition{of},
-          number{channel.number},
-          topic{*channel.topic},
-          only_newest{newest_only(topic)},
-          has_past{of.kind != Kind::newest && past_of(topic).frames > 0},
-          is_status{std::string_view(topic.name) == wire::topics::exercise_status.name},
-          history{topic, of.kind == Kind::classroom, of.kind != Kind::newest} {}
+          is_status{std::string_view(channel.topic->name) == wire::topics::exercise_status.name},
+          heard{*channel.topic, channel.number, of.kind == Kind::classroom, of.kind != Kind::newest} {}
 
     /// Hears from now on, if it does not yet.
     void begin() {
         std::call_once(begun, [this] {
-            reader.emplace(partition.participant, topic,
+            reader.emplace(partition.participant, heard.topic(),
                            [this](const wire::RawSample& sample) { pass_on(sample); });
         });
     }
 
     void pass_on(const wire::RawSample& sample) {
-        auto frame = std::make_shared<SharedFrame>();
-        frame->channel = number;
-        frame->newest_only = only_newest;
-        frame->standing = topic.transient_local && topic.depth == 1 && !has_past;
-        frame->instance = instance_of(topic, sample.payload);
-        frame->written_unix_ns = sample.written_unix_ns;
-        frame->heard = Clock::now();
-        frame->time = time_of(topic, sample.payload).value_or(partition.exercise_time.load());
-        frame->payload.assign(sample.payload.begin(), sample.payload.end());
+        const FramePtr frame = heard.frame_of(sample.payload, sample.written_unix_ns,
+                                              partition.exercise_time.load(), Clock::now());
         if (is_status) partition.follow(frame->time);
         for (std::size_t seat = 0; seat < kQuestions.size(); ++seat)
-            if (std::string_view(topic.name) == kQuestions.at(seat))
+            if (std::string_view(heard.topic().name) == kQuestions.at(seat))
                 partition.asked.at(seat) = asks(frame->payload);
-        const std::scoped_lock lock{mutex};
-        writer = sample.writer;
-        if (topic.exclusive) spoken[frame->instance] = {frame, sample.writer, frame->heard};
-        history.keep(frame, std::string(sample.writer.begin(), sample.writer.end()), frame->heard);
-        for (Ear* ear : ears)
-            ear->hear(frame);
+        heard.hear(frame, sample.writer);
     }
 
     Partition& partition;
-    const std::uint32_t number;
-    const wire::TopicInfo& topic;
-    const bool only_newest, has_past, is_status;
+    const bool is_status;
     int users = 0; // by the partition's mutex
-    mutable std::mutex mutex;
-    History history;
-    std::optional<wire::WriterId> writer; // of the newest sample
-    std::map<std::string, Spoken> spoken; // by instance, of an exclusive topic
-    std::set<Ear*> ears;
+    HeardTopic heard;
     std::once_flag begun;
     std::optional<wire::RawReader> reader; // last: it stops before what its callback uses goes away
 };
@@ -137,7 +114,7 @@ void Feed::Partition::leave(Line* line) {
         last; // goes when the mutex is free: its reader waits for a callback, which may follow()
     const std::scoped_lock lock{mutex_};
     if (--line->users > 0) return;
-    const auto found = lines_.find(line->number);
+    const auto found = lines_.find(line->heard.number());
     last = std::move(found->second);
     lines_.erase(found);
 }
@@ -145,10 +122,8 @@ void Feed::Partition::leave(Line* line) {
 void Feed::Partition::follow(double time) {
     if (time >= exercise_time.exchange(time)) return;
     const std::scoped_lock lock{mutex_};
-    for (const auto& [number, line] : lines_) {
-        const std::scoped_lock one{line->mutex};
-        line->history.back_to(time);
-    }
+    for (const auto& [number, line] : lines_)
+        line->heard.back_to(time);
 }
 
 void Feed::Leave::operator()(Line* line) const {
@@ -200,13 +175,13 @@ bool Feed::withheld(const wire::TopicInfo& topic) const {
 
 Feed::Line* Feed::line(std::uint32_t channel) const {
     const auto found =
-        std::ranges::find_if(lines_, [channel](const auto& l) { return l->number == channel; });
+        std::ranges::find_if(lines_, [channel](const auto& l) { return l->heard.number() == channel; });
     return found == lines_.end() ? nullptr : found->get();
 }
 
 Feed::Line* Feed::line(const wire::TopicInfo& topic) const {
     const auto found = std::ranges::find_if(
-        lines_, [&](const auto& l) { return std::string_view(l->topic.name) == topic.name; });
+        lines_, [&](const auto& l) { return std::string_view(l->heard.topic().name) == topic.name; });
     return found == lines_.end() ? nullptr : found->get();
 }
 
@@ -227,18 +202,15 @@ nlohmann::json Feed::advertisements(bool with_schema) const {
 }
 
 void Feed::listen(std::uint32_t channel, Ear& ear, const std::function<void(std::vector<FramePtr>)>& begin) {
-    Line* const heard = line(channel);
-    if (heard == nullptr) return;
-    const std::scoped_lock lock{heard->mutex};
-    if (!heard->ears.insert(&ear).second) return;
-    begin(withheld(heard->topic) ? std::vector<FramePtr>() : heard->history.kept(Clock::now()));
+    Line* const known = line(channel);
+    if (known == nullptr) return;
+    known->heard.listen(ear, begin, withheld(known->heard.topic()), Clock::now());
 }
 
 void Feed::leave(std::uint32_t channel, Ear& ear) {
-    Line* const heard = line(channel);
-    if (heard == nullptr) return;
-    const std::scoped_lock lock{heard->mutex};
-    heard->ears.erase(&ear);
+    Line* const known = line(channel);
+    if (known == nullptr) return;
+    known->heard.leave(ear);
 }
 
 void Feed::leave(Ear& ear) {
@@ -247,25 +219,20 @@ void Feed::leave(Ear& ear) {
 }
 
 std::vector<FramePtr> Feed::kept(const wire::TopicInfo& topic) const {
-    const Line* const heard = line(topic);
-    if (heard == nullptr) return {};
-    const std::scoped_lock lock{heard->mutex};
-    return heard->history.kept(Clock::now());
+    const Line* const known = line(topic);
+    if (known == nullptr) return {};
+    return known->heard.kept(Clock::now());
 }
 
 std::optional<wire::WriterId> Feed::writer(const wire::TopicInfo& topic) const {
-    const Line* const heard = line(topic);
-    if (heard == nullptr || heard->reader->matched() == 0) return std::nullopt;
-    const std::scoped_lock lock{heard->mutex};
-    return heard->writer;
+    const Line* const known = line(topic);
+    if (known == nullptr || known->reader->matched() == 0) return std::nullopt;
+    return known->heard.writer();
 }
 
 std::optional<Spoken> Feed::spoken(const wire::TopicInfo& topic, const std::string& instance) const {
-    const Line* const heard = line(topic);
-    if (heard == nullptr) return std::nullopt;
-    const std::scoped_lock lock{heard->mutex};
-    const auto found = heard->spoken.find(instance);
-    return found == heard->spoken.end() ? std::nullopt : std::optional(found->second);
+    const Line* const known = line(topic);
+    return known == nullptr ? std::nullopt : known->heard.spoken(instance);
 }
 
 std::uint32_t number_of(const std::vector<Channel>& channels, const wire::TopicInfo& topic) {

@@ -3,19 +3,12 @@
 // sample to the pages that want it. What several roles hear of an exercise is heard once.
 
 #include "idl/raw.hpp"
+#include "station/gateway/heard_topic.hpp"
 #include "station/gateway/roles.hpp"
-#include "station/gateway/source.hpp"
 
 #include <memory>
 
 namespace windlass::gateway {
-
-/// Whose word was heard last of one instance of a topic.
-struct Spoken {
-    FramePtr frame;
-    wire::WriterId writer{};
-    Clock::time_point at;
-};
 
 /// One topic that a feed hears, as pages know it.
 struct Channel {

@@ -190,7 +190,7 @@ void Gateway::tell_given(const PageSession& by, const std::string& topic) const 
 }
 
 json Gateway::hello(const PageSession& page) const {
-    const ExerciseDesk& its_desk = page.desk();
+    const PageDesk& its_desk = page.desk();
     json commands = json::array();
     for (const wire::TopicInfo* topic : its_desk.role().writes)
         commands.push_back(topic->name);

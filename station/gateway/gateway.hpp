@@ -6,6 +6,7 @@
 #include "station/gateway/camera_watch.hpp"
 #include "station/gateway/exercise_desk.hpp"
 #include "station/gateway/line_log.hpp"
+#include "station/gateway/page_host.hpp"
 #include "station/gateway/replays.hpp"
 #include "station/gateway/session.hpp"
 
@@ -13,8 +14,6 @@
 #include <future>
 
 namespace windlass::gateway {
-
-class PageSession;
 
 struct GatewayOptions {
     wire::JoinOptions member;                  ///< its name is the one under which orders go out
@@ -57,11 +56,11 @@ struct GatewayOptions {
     std::function<void(const std::string& path, std::function<std::string()> page)> publish;
 };
 
-class Gateway {
+class Gateway final : public PageHost {
 public:
     /// Joins the exercise. Throws std::runtime_error as wire::Participant does.
     explicit Gateway(GatewayOptions options);
-    ~Gateway();
+    ~Gateway() override;
 
     const GatewayOptions& options() const { return options_; }
 
@@ -78,12 +77,12 @@ public:
     /// Sends an order about the classroom; false: the topic is none of those. by: as ExerciseDesk::give's.
     /// Throws Refused.
     bool order_classroom(const wire::TopicInfo& topic, const nlohmann::json& sample,
-                         const std::string& by = {});
+                         const std::string& by = {}) override;
 
     /// What the camera on the forecastle of a live exercise sees, of what was heard later than that look of a
     /// page, for who has the truth: `at`, of this look, and `samples` as samples_since() has them. Throws
     /// Refused.
-    nlohmann::json look_at_forecastle(const std::string& exercise, std::int64_t since);
+    nlohmann::json look_at_forecastle(const std::string& exercise, std::int64_t since) override;
 
     /// An instructor's: an exercise goes on from a moment of a recording, position s from its beginning,
     /// paused. It is read first; what fails then is told to refused, or goes to the log. Throws Refused.
@@ -94,7 +93,7 @@ public:
 
     /// An instructor's: records an exercise from now on, or no longer. name: of the recording; empty: one is
     /// made of the exercise's and the time. Throws Refused.
-    void record(const std::string& exercise, bool on, const std::string& name = {});
+    void record(const std::string& exercise, bool on, const std::string& name = {}) override;
 
     /// The recording that is being made of an exercise; nothing: none. It is one until its file is whole.
     std::optional<std::string> recording_of(const std::string& exercise) const;
@@ -103,11 +102,9 @@ public:
     void tick(Clock::time_point now);
 
     /// A line for whoever runs the program; of a flood, the first few each second. From any thread.
-    void log(const std::string& line) { log_.tell(line); }
+    void log(const std::string& line) override { log_.tell(line); }
 
 private:
-    friend class PageSession;
-
     /// An exercise, and since when no page has it.
     struct Desk {
         std::shared_ptr<ExerciseDesk> desk;
@@ -140,22 +137,24 @@ private:
 
     std::shared_ptr<ExerciseDesk> desk(const std::string& exercise);
     void continue_live(PageSession& page, const nlohmann::json& id, const std::string& recording,
-                       double position, const std::string& exercise);
-    void read_events(PageSession& page, const nlohmann::json& id, const std::string& recording);
-    void debrief(PageSession& page, const nlohmann::json& id, const std::string& recording);
-    void ask_exercise_files(PageSession& page, const nlohmann::json& id, const nlohmann::json& request);
+                       double position, const std::string& exercise) override;
+    void read_events(PageSession& page, const nlohmann::json& id, const std::string& recording) override;
+    void debrief(PageSession& page, const nlohmann::json& id, const std::string& recording) override;
+    void ask_exercise_files(PageSession& page, const nlohmann::json& id,
+                            const nlohmann::json& request) override;
     void read(Reading reading);
     /// False: it is not there yet.
     static bool show(Reading& reading);
     /// Shows a recording in an exercise of its own, whose name it returns.
-    std::string replay(const std::string& recording);
+    std::string replay(const std::string& recording) override;
     std::filesystem::path folder_of(const std::string& recording) const;
     /// False: it waits for the exercise to be heard.
     bool go_on(Continuation& continuation, Clock::time_point now);
     std::vector<std::string> live() const;
-    void tell_given(const PageSession& by, const std::string& topic) const;
-    nlohmann::json hello(const PageSession& page) const;
-    void forget(PageSession& page);
+    bool sees_truth() const override { return has_truth(options_.seat); }
+    void tell_given(const PageSession& by, const std::string& topic) const override;
+    nlohmann::json hello(const PageSession& page) const override;
+    void forget(PageSession& page) override;
     void levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder,
                         const std::string& taken_by);
     void tend_recorders();

@@ -49,6 +49,18 @@ void Outbox::put_kept(std::uint32_t subscription, const FramePtr& frame, bool wi
         items_.push_back({{.frame = frame, .subscription = subscription}, false, ""});
 }
 
+void Outbox::forget(std::uint32_t subscription) {
+    for (auto at = items_.begin(); at != items_.end();) {
+        if (!at->item.frame || at->item.subscription != subscription) {
+            ++at;
+            continue;
+        }
+        if (!at->slot.empty()) slots_.erase(at->slot);
+        if (at->counted) --counted_;
+        at = items_.erase(at);
+    }
+}
+
 std::optional<Outbox::Item> Outbox::pop() {
     if (items_.empty()) return std::nullopt;
     Waiting first = std::move(items_.front());

@@ -37,6 +37,10 @@ public:
     /// not the newest alone.
     void put_kept(std::uint32_t subscription, const FramePtr& frame, bool with_past);
 
+    /// Nothing of that subscription waits any more: else a page that reads nothing and subscribes again and
+    /// again would have all that is kept wait once more each time.
+    void forget(std::uint32_t subscription);
+
     /// The oldest; nothing waits: nothing.
     std::optional<Item> pop();
 

@@ -40,10 +40,10 @@ Hand hand_of(const json& message) {
 
 } // namespace
 
-PageSession::PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Source*> sources,
+PageSession::PageSession(PageHost& host, std::shared_ptr<PageDesk> desk, std::vector<Source*> sources,
                          Transport& transport, std::string name)
     : FoxgloveSession{std::move(sources), transport},
-      gateway_{gateway},
+      host_{host},
       desk_{std::move(desk)},
       name_{std::move(name)} {
     if (!name_.empty()) desk_->call(this, name_);
@@ -54,8 +54,8 @@ PageSession::~PageSession() {
 }
 
 void PageSession::open() {
-    gateway_.log("a page opens in exercise " + desk_->exercise());
-    tell_hello(gateway_.hello(*this));
+    host_.log("a page opens in exercise " + desk_->exercise());
+    tell_hello(host_.hello(*this));
     FoxgloveSession::open();
     for (const Hand hand : {Hand::port, Hand::starboard, Hand::helm})
         if (const auto holder = desk_->levers().holder(hand)) tell_levers(hand, holder);
@@ -64,7 +64,7 @@ void PageSession::open() {
 void PageSession::close() {
     if (!std::exchange(open_, false)) return;
     FoxgloveSession::close();
-    gateway_.forget(*this);
+    host_.forget(*this);
     desk_->leave(this);
 }
 
@@ -99,7 +99,7 @@ void PageSession::tell(const json& id, const json& message) {
 }
 
 void PageSession::tell_refused(const json& id, const Refused& refusal) {
-    gateway_.log(refusal.what());
+    host_.log(refusal.what());
     send({{"op", "refused"},
           {"id", id},
           {"topic", refusal.topic},
@@ -129,9 +129,9 @@ bool PageSession::handle(const std::string& op, const json& message) {
         else if (op == "continue_live")
             continue_live(message);
         else if (op == "read_recording")
-            gateway_.read_events(*this, value(message, "id"), text_of(message, "recording"));
+            host_.read_events(*this, value(message, "id"), text_of(message, "recording"));
         else if (op == "debrief")
-            gateway_.debrief(*this, value(message, "id"), text_of(message, "recording"));
+            host_.debrief(*this, value(message, "id"), text_of(message, "recording"));
         else if (op == "replay")
             replay(message);
         else if (op == "exercise_files")
@@ -156,12 +156,12 @@ void PageSession::levers(Hand hand, const json& message) {
         throw Refused(hand == Hand::helm ? "HelmCommand" : "WindlassCommand", "", "a hand on these levers",
                       "not for this seat");
     const json sample = hand == Hand::helm ? helm_levers(*topic, message) : windlass_levers(*topic, message);
-    if (!desk_->levers().put(hand, this, sample, Clock::now()))
+    if (!desk_->levers().put(hand, this, sample, now()))
         throw Refused(topic->name, "", "a hand on these levers", "another page of this station has them");
     // A page says twenty times a second where its levers are: that alone is nobody's doing.
     if (json& before = set_.at(static_cast<std::size_t>(hand)); before != sample) {
         before = sample;
-        acted_ = Clock::now();
+        acted_ = now();
     }
 }
 
@@ -182,9 +182,9 @@ void PageSession::order(const json& message) {
     if (topic->name == std::string_view(wire::topics::restore_command.name))
         throw Refused(topic->name, "", "an order", "a recording is taken up by op continue_live");
     const json sample = value(message, "sample");
-    if (!gateway_.order_classroom(*topic, sample, name_)) desk_->give(*topic, sample, name_);
-    gateway_.tell_given(*this, topic->name);
-    acted_ = Clock::now();
+    if (!host_.order_classroom(*topic, sample, name_)) desk_->give(*topic, sample, name_);
+    host_.tell_given(*this, topic->name);
+    acted_ = now();
     tell_sent(value(message, "id"));
 }
 
@@ -192,21 +192,21 @@ void PageSession::record(const json& message) {
     const json on = value(message, "on");
     if (!on.is_boolean()) throw Refused("", "on", "nothing", "true or false");
     const json name = value(message, "name");
-    gateway_.record(desk_->exercise(), on.get<bool>(), name.is_string() ? name.get<std::string>() : "");
+    host_.record(desk_->exercise(), on.get<bool>(), name.is_string() ? name.get<std::string>() : "");
     tell_sent(value(message, "id"));
 }
 
 void PageSession::replay(const json& message) {
     const std::string recording = text_of(message, "recording");
     tell(value(message, "id"),
-         {{"op", "replay"}, {"recording", recording}, {"exercise", gateway_.replay(recording)}});
+         {{"op", "replay"}, {"recording", recording}, {"exercise", host_.replay(recording)}});
 }
 
 void PageSession::exercise_files(const json& message) {
     json request = json::object();
     for (const char* field : {"what", "name", "text", "over"})
         request[field] = value(message, field).is_string() ? value(message, field) : json("");
-    gateway_.ask_exercise_files(*this, value(message, "id"), request);
+    host_.ask_exercise_files(*this, value(message, "id"), request);
 }
 
 void PageSession::wind_sea(const json& message) {
@@ -219,8 +219,7 @@ void PageSession::wind_sea(const json& message) {
 }
 
 void PageSession::watch_classroom(const json& message) {
-    if (!has_truth(gateway_.options().seat))
-        throw Refused("", "", "the classroom's alerts", "for an instructor");
+    if (!host_.sees_truth()) throw Refused("", "", "the classroom's alerts", "for an instructor");
     watches_classroom_ = true;
     tell_sent(value(message, "id"));
 }
@@ -229,7 +228,7 @@ void PageSession::camera(const json& message) {
     const std::string exercise = text_of(message, "exercise");
     const json since = value(message, "since");
     if (!since.is_number_integer()) throw Refused("", "since", since.dump(), "0, or at of the last answer");
-    json answer = gateway_.look_at_forecastle(exercise, since.get<std::int64_t>());
+    json answer = host_.look_at_forecastle(exercise, since.get<std::int64_t>());
     answer["op"] = "camera";
     answer["exercise"] = exercise;
     tell(value(message, "id"), answer);
@@ -239,8 +238,8 @@ void PageSession::continue_live(const json& message) {
     const json position = value(message, "position");
     if (!position.is_number() || position.get<double>() < 0)
         throw Refused("", "position", "this", "s from the recording's beginning");
-    gateway_.continue_live(*this, value(message, "id"), text_of(message, "recording"), position.get<double>(),
-                           text_of(message, "exercise"));
+    host_.continue_live(*this, value(message, "id"), text_of(message, "recording"), position.get<double>(),
+                        text_of(message, "exercise"));
 }
 
 } // namespace windlass::gateway

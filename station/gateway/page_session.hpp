@@ -1,7 +1,8 @@
 #pragma once
 // One page of ours: beside the Foxglove protocol it has levers, orders and, for an instructor, recordings.
 
-#include "station/gateway/gateway.hpp"
+#include "station/gateway/page_host.hpp"
+#include "station/gateway/session.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,14 +13,14 @@ namespace windlass::gateway {
 class PageSession final : public FoxgloveSession {
 public:
     /// name: of who sits there, under which its orders go out; empty: the station's.
-    PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Source*> sources,
+    PageSession(PageHost& host, std::shared_ptr<PageDesk> desk, std::vector<Source*> sources,
                 Transport& transport, std::string name);
     ~PageSession() override;
 
     void open() override;
     void close() override;
 
-    const ExerciseDesk& desk() const { return *desk_; }
+    const PageDesk& desk() const { return *desk_; }
     const std::string& name() const { return name_; }
     /// When its hand last did something: gave an order or a report, or moved a lever; at first, when it came.
     Clock::time_point acted() const { return acted_.value_or(opened_); }
@@ -54,8 +55,8 @@ private:
     void watch_classroom(const nlohmann::json& message);
     void camera(const nlohmann::json& message);
 
-    Gateway& gateway_;
-    std::shared_ptr<ExerciseDesk> desk_;
+    PageHost& host_;
+    std::shared_ptr<PageDesk> desk_;
     const std::string name_;
     nlohmann::json hello_, alerts_;
     std::array<nlohmann::json, 3> set_; // levers as this page had them last, by Hand

@@ -1,6 +1,7 @@
 #include "station/gateway/replays.hpp"
 
 #include "idl/topics.hpp"
+#include "idl/wire.hpp"
 #include "station/gateway/orders.hpp"
 
 #include <fmt/format.h>

@@ -42,7 +42,7 @@ void FoxgloveSession::advertise() {
 }
 
 void FoxgloveSession::take_text(std::string_view text, Clock::time_point now) {
-    if (!within_rate(now)) return;
+    if (closed_ || !within_rate(now)) return;
     const json message = json::parse(text, nullptr, false);
     if (!message.is_object()) return refuse(nullptr, "a JSON object is expected");
     const auto op = message.find("op");
@@ -144,7 +144,10 @@ void FoxgloveSession::unsubscribe(const json& message) {
             const std::scoped_lock lock{mutex_};
             for (const auto& [number, id] : subscriptions_)
                 if (each == id) channel = number;
-            if (channel) subscriptions_.erase(*channel);
+            if (channel) {
+                subscriptions_.erase(*channel);
+                outbox_.forget(each.get<std::uint32_t>());
+            }
         }
         if (!channel) {
             refuse(message, "subscriptionIds: ids of subscriptions are expected");
@@ -156,6 +159,7 @@ void FoxgloveSession::unsubscribe(const json& message) {
 }
 
 void FoxgloveSession::close() {
+    closed_ = true;
     for (Source* source : sources_)
         source->leave(*this);
     sources_.clear();

@@ -42,7 +42,8 @@ public:
     void take_text(std::string_view text, Clock::time_point now);
     void take_binary();
 
-    /// The page is gone: nothing is heard any more.
+    /// The page is gone: nothing is heard any more, of it neither. What it sent before it knew may still
+    /// come.
     virtual void close();
 
     /// Sends the page away. From any thread.
@@ -78,6 +79,8 @@ protected:
     /// The time of the client's clock, ns, where `time` is among the capabilities. From any thread.
     void send_time(std::uint64_t ns);
     Transport& transport() { return transport_; }
+    /// When the message came that is being handled.
+    Clock::time_point now() const { return counted_until_; }
 
 private:
     void advertise();
@@ -97,6 +100,8 @@ private:
     std::vector<std::pair<std::uint32_t, FramePtr>> new_;  // by subscription
     std::map<std::uint32_t, std::uint32_t> subscriptions_; // by channel
     bool overflown_ = false;
+
+    bool closed_ = false;
 
     double allowance_;
     Clock::time_point counted_until_{};

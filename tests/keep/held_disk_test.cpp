@@ -20,7 +20,7 @@ using test::LetGo;
 using testing::HasSubstr;
 
 /// The machine's disk, behind a door at which every call waits while it is held.
-class HeldDisk final : public Disk {
+class HeldDisk final : public files::Disk {
 public:
     void hold() {
         const std::lock_guard lock(mutex_);
@@ -39,34 +39,42 @@ public:
         return waiting_;
     }
 
-    std::unique_ptr<DiskFile> make(const fs::path& file) override {
+    std::unique_ptr<files::File> make(const fs::path& file, files::ReadBy readers) override {
         pass();
-        return std::make_unique<File>(*this, system_disk().make(file));
+        return std::make_unique<File>(*this, files::system_disk().make(file, readers));
     }
-    void append(const fs::path& file, Bytes bytes) override { pass(), system_disk().append(file, bytes); }
-    std::vector<std::uint8_t> read(const fs::path& file) override { return pass(), system_disk().read(file); }
-    bool exists(const fs::path& path) override { return pass(), system_disk().exists(path); }
-    std::vector<fs::path> list(const fs::path& folder) override { return pass(), system_disk().list(folder); }
+    void append(const fs::path& file, files::Bytes bytes) override {
+        pass(), files::system_disk().append(file, bytes);
+    }
+    std::vector<std::uint8_t> read(const fs::path& file) override {
+        return pass(), files::system_disk().read(file);
+    }
+    bool exists(const fs::path& path) override { return pass(), files::system_disk().exists(path); }
+    std::vector<fs::path> list(const fs::path& folder) override {
+        return pass(), files::system_disk().list(folder);
+    }
     fs::file_time_type written_at(const fs::path& path) override {
-        return pass(), system_disk().written_at(path);
+        return pass(), files::system_disk().written_at(path);
     }
-    void make_folder(const fs::path& folder) override { pass(), system_disk().make_folder(folder); }
-    void rename(const fs::path& from, const fs::path& to) override { pass(), system_disk().rename(from, to); }
-    void remove(const fs::path& path) override { pass(), system_disk().remove(path); }
-    void remove_all(const fs::path& path) override { pass(), system_disk().remove_all(path); }
-    void sync_folder(const fs::path& folder) override { pass(), system_disk().sync_folder(folder); }
+    void make_folder(const fs::path& folder) override { pass(), files::system_disk().make_folder(folder); }
+    void rename(const fs::path& from, const fs::path& to) override {
+        pass(), files::system_disk().rename(from, to);
+    }
+    void remove(const fs::path& path) override { pass(), files::system_disk().remove(path); }
+    void remove_all(const fs::path& path) override { pass(), files::system_disk().remove_all(path); }
+    void sync_folder(const fs::path& folder) override { pass(), files::system_disk().sync_folder(folder); }
 
 private:
-    class File final : public DiskFile {
+    class File final : public files::File {
     public:
-        File(HeldDisk& disk, std::unique_ptr<DiskFile> file) : disk_(disk), file_(std::move(file)) {}
-        std::size_t append(Bytes bytes) override { return disk_.pass(), file_->append(bytes); }
+        File(HeldDisk& disk, std::unique_ptr<files::File> file) : disk_(disk), file_(std::move(file)) {}
+        std::size_t append(files::Bytes bytes) override { return disk_.pass(), file_->append(bytes); }
         void cut(std::uint64_t size) override { disk_.pass(), file_->cut(size); }
         void sync() override { disk_.pass(), file_->sync(); }
 
     private:
         HeldDisk& disk_;
-        const std::unique_ptr<DiskFile> file_;
+        const std::unique_ptr<files::File> file_;
     };
 
     void pass() {

@@ -69,7 +69,7 @@ public:
     void copy_to(SimDisk& disk) {
         disk.make_folder(kFolder);
         for (const auto& path : disk_.list(kFolder)) {
-            const auto file = disk.make(path);
+            const auto file = disk.make(path, files::ReadBy::owner);
             file->append(disk_.read(path));
             file->sync();
         }

@@ -67,7 +67,7 @@ protected:
         }
         std::filesystem::rename(forged, file);
     }
-    static std::vector<std::uint8_t> same(Bytes payload) { return {payload.begin(), payload.end()}; }
+    static std::vector<std::uint8_t> same(files::Bytes payload) { return {payload.begin(), payload.end()}; }
     static double time(const std::optional<TakenUp>& taken) {
         return taken && taken->def ? LetGo(taken->how).session().now_time() : -1;
     }
@@ -264,7 +264,7 @@ TEST_F(TakenUpTest, AsideAreTheStatesThatWerePutThereLast) {
 TEST_F(TakenUpTest, TimeScaleThatNoExerciseMayHaveIsRefused) {
     for (const double scale : {std::nan(""), -1.0, 1e9}) {
         lose_at(400);
-        forge([&](Record kind, Bytes payload) {
+        forge([&](Record kind, files::Bytes payload) {
             if (kind != Record::status) return same(payload);
             auto status = wire::decode<ExerciseStatus>(payload);
             status.time_scale(scale);
@@ -279,7 +279,7 @@ TEST_F(TakenUpTest, TimeScaleThatNoExerciseMayHaveIsRefused) {
 TEST_F(TakenUpTest, TickThatNoServerCanHaveComeToHoldsUpNoStart) {
     for (const bool of_order : {false, true}) {
         lose_at(400);
-        forge([&](Record kind, Bytes payload) {
+        forge([&](Record kind, files::Bytes payload) {
             if (kind == Record::reached && !of_order) {
                 auto reached = wire::decode<Checkpoint>(payload);
                 reached.tick(std::uint64_t{1} << 60);
@@ -337,7 +337,7 @@ TEST_F(TakenUpTest, AnotherExercisesFileIsRefused) {
 
 TEST_F(TakenUpTest, AnotherModelThatComesToAnotherStateIsRefused) {
     lose_at(1000);
-    forge([](Record kind, Bytes payload) { // as a model would have it that brakes differently
+    forge([](Record kind, files::Bytes payload) { // as a model would have it that brakes differently
         auto bytes = same(payload);
         if (kind == Record::reached) bytes[4 + 16] ^= 1; // of the state's hash
         if (kind == Record::synced) bytes.clear();
@@ -351,7 +351,7 @@ TEST_F(TakenUpTest, AnotherModelThatComesToAnotherStateIsRefused) {
 TEST_F(TakenUpTest, OrderThatIsMissingIsNamed) {
     lose_at(1000);
     int orders = 0;
-    forge([&](Record kind, Bytes payload) {
+    forge([&](Record kind, files::Bytes payload) {
         const bool left_out = kind == Record::synced || (kind == Record::order && ++orders == 20);
         return left_out ? std::vector<std::uint8_t>() : same(payload);
     });

@@ -21,6 +21,7 @@ using test::kSecond;
 using test::kStart;
 using test::put;
 using test::sample;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -192,6 +193,21 @@ TEST(TapeTest, SaysWhichVersionOfTheWireItIs) {
     EXPECT_EQ(file.schemas().begin()->second.name, "windlass::v10::WindlassCommand")
         << "its type's, not its own";
     EXPECT_EQ(file.channels().begin()->second.topic, "InstructorWindlassCommand");
+}
+
+// Its recorder was killed, or its disk was full, as it began the next one.
+TEST(RecordingTest, OfWhichTheLastFileWasOnlyBegunIsReadWithoutIt) {
+    const Folder folder;
+    Tape tape({.folder = folder / "r"});
+    write_ten_seconds(tape);
+    tape.close({});
+    const std::string whole = content(folder / "r" / "r_000.mcap");
+    for (const std::size_t size : {0U, 5U, 8U, 20U, 60U}) {
+        put(folder / "r" / "r_001.mcap", whole.substr(0, size));
+        Recording recording({folder / "r"});
+        EXPECT_THAT(ticks(recording, {.topics = {"ShipState"}}), SizeIs(600)) << size;
+        EXPECT_THAT(recording.damage(), ElementsAre(HasSubstr("r_001.mcap: it was begun"))) << size;
+    }
 }
 
 TEST(TapeTest, FolderWithARecordingInItIsRefused) {

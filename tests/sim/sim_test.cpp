@@ -6,6 +6,8 @@
 #include "sim/checks.hpp"
 #include "sim/disk.hpp"
 
+#include "tests/sim/first_failure.hpp"
+
 #include <gmock/gmock.h>
 
 #include <system_error>
@@ -15,16 +17,6 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The first check that fails, of so many seeds; empty: none does.
-std::string first_failure(Sabotage sabotage, std::uint64_t seeds) {
-    Plan plan;
-    plan.sabotage = sabotage;
-    plan.minutes = 0.5;
-    for (plan.seed = 1; plan.seed <= seeds; ++plan.seed)
-        if (const Outcome found = run(plan); found.failed) return found.failed->what.check;
-    return "";
-}
-
 TEST(Centre, OfTheSameSeedIsTheSame) {
     for (const std::uint64_t seed : {1U, 5U, 7U}) {
         Plan plan;
@@ -32,6 +24,8 @@ TEST(Centre, OfTheSameSeedIsTheSame) {
         const Outcome once = run(plan), again = run(plan);
         EXPECT_EQ(once.digest, again.digest) << seed;
         EXPECT_EQ(once.simulated, again.simulated) << seed;
+        EXPECT_EQ(once.recordings, again.recordings) << seed;
+        EXPECT_EQ(once.recorder_kills, again.recorder_kills) << seed;
         EXPECT_GT(once.ticks, 0U);
     }
 }
@@ -339,7 +333,7 @@ TEST(SimDisk, HasAfterAPowerCutWhatItWasWaitedForAndOfTheRestAnyPart) {
         World world(seed);
         SimDisk disk(world);
         disk.make_folder("/kept");
-        const auto file = disk.make("/kept/a");
+        const auto file = disk.make("/kept/a", files::ReadBy::owner);
         file->append(bytes(100));
         file->sync();
         disk.sync_folder("/kept");
@@ -355,10 +349,22 @@ TEST(SimDisk, HasAfterAPowerCutWhatItWasWaitedForAndOfTheRestAnyPart) {
     EXPECT_TRUE(all);
 }
 
+TEST(SimDisk, AddsUpWhatItTakesForWhoWillSitItOut) {
+    World world(1);
+    SimDisk disk(world);
+    disk.took = 0;
+    disk.write_takes = 2, disk.sync_takes = 3;
+    const auto file = disk.make("/a", files::ReadBy::all);
+    file->append(bytes(100));
+    file->sync();
+    EXPECT_EQ(disk.took, 5.0);
+    EXPECT_EQ(world.now(), 0) << "the world has not gone on";
+}
+
 TEST(SimDisk, HasAllThatAKilledServerHandedOver) {
     World world(1);
     SimDisk disk(world);
-    disk.make("/a")->append(bytes(100));
+    disk.make("/a", files::ReadBy::owner)->append(bytes(100));
     disk.lose(Loss::killed);
     EXPECT_EQ(disk.read("/a"), bytes(100));
 }
@@ -367,7 +373,7 @@ TEST(SimDisk, ThatIsFullTakesWhatItHasRoomForAndRefusesTheRest) {
     World world(1);
     SimDisk disk(world);
     disk.room = 60;
-    const auto file = disk.make("/a");
+    const auto file = disk.make("/a", files::ReadBy::owner);
     EXPECT_EQ(file->append(bytes(100)), 60U);
     EXPECT_THROW(file->append(bytes(1)), std::system_error);
 }
@@ -375,11 +381,11 @@ TEST(SimDisk, ThatIsFullTakesWhatItHasRoomForAndRefusesTheRest) {
 TEST(SimDisk, LosesTheServerAtTheCallThatWasDrawn) {
     World world(1);
     SimDisk disk(world);
-    const auto file = disk.make("/a");
+    const auto file = disk.make("/a", files::ReadBy::owner);
     disk.lose_in(2, Loss::killed);
     file->append(bytes(10));
     EXPECT_THROW(file->append(bytes(10)), Crash);
-    EXPECT_THROW(disk.make("/b"), Crash) << "it makes no more calls";
+    EXPECT_THROW(disk.make("/b", files::ReadBy::owner), Crash) << "it makes no more calls";
     disk.lose(Loss::killed);
     EXPECT_GE(disk.read("/a").size(), 10U);
 }

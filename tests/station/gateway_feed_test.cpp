@@ -470,5 +470,61 @@ TEST(FoxgloveSession, APageIsToldThePastOfAllItsTopicsInTheOrderInWhichItWas) {
     EXPECT_THAT(sent(foreign), ElementsAre(7, 9, 2, 4)) << "of a stream the newest";
 }
 
+TEST(FoxgloveSession, WhatIsKeptWaitsOnceForAPageThatSubscribesAgainAndAgainAndTakesNothing) {
+    Ends transport;
+    Kept source;
+    PageOfOurs page({&source}, transport);
+    Clock::time_point now = kStart;
+    for (int id = 1; id <= 100; ++id) {
+        const std::string number = std::to_string(id), before = std::to_string(id - 1);
+        if (id > 1)
+            page.take_text(R"({"op": "unsubscribe", "subscriptionIds": [)" + before + "]}", now += 100ms);
+        page.take_text(R"({"op": "subscribe", "subscriptions": [{"id": )" + number + R"(, "channelId": 1}]})",
+                       now += 100ms);
+    }
+    EXPECT_THAT(sent(page), ElementsAre(1, 3, 9));
+}
+
+TEST(Outbox, IsToldOfASubscriptionThatEndsAndHasRoomForAsMuchAgain) {
+    Outbox outbox;
+    for (std::size_t k = 0; k < Outbox::kMost; ++k)
+        EXPECT_TRUE(outbox.put(1, frame(1)));
+    EXPECT_TRUE(outbox.put(2, frame(2, "", true)));
+    outbox.forget(1);
+    EXPECT_TRUE(outbox.put(3, frame(3)));
+    EXPECT_TRUE(outbox.put(2, frame(4, "", true))) << "takes the place of the state that still waits";
+    EXPECT_EQ(outbox.pop()->frame->payload[0], 4);
+    EXPECT_EQ(outbox.pop()->frame->payload[0], 3);
+    outbox.put(2, frame(5, "", true));
+    outbox.forget(2);
+    EXPECT_TRUE(outbox.empty());
+    outbox.put(2, frame(6, "", true));
+    EXPECT_EQ(outbox.pop()->frame->payload[0], 6) << "and is no part of what was forgotten";
+}
+
+/// Counts what it is asked to do.
+class Counting : public FoxgloveSession {
+public:
+    using FoxgloveSession::FoxgloveSession;
+    int handled = 0;
+
+protected:
+    bool handle(const std::string&, const json&) override {
+        ++handled;
+        return true;
+    }
+};
+
+// A page that is sent away has more on its way, and its socket still reads that: its levers would have been
+// taken once more, by a session that nobody ends again.
+TEST(FoxgloveSession, WhatComesBehindItsEndIsNotHeard) {
+    Ends transport;
+    Counting session({}, transport);
+    session.take_text(R"({"op": "levers"})", kStart);
+    session.close();
+    session.take_text(R"({"op": "levers"})", kStart + 1s);
+    EXPECT_EQ(session.handled, 1);
+}
+
 } // namespace
 } // namespace windlass::gateway

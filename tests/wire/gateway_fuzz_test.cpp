@@ -1,6 +1,7 @@
 // Messages of a page as no page makes them: true ones, changed at random but the same each time. Every one is
 // taken or refused, and the session goes on.
 
+#include "station/gateway/gateway.hpp"
 #include "station/gateway/page_session.hpp"
 
 #include "rigs/own_domain.hpp"
