@@ -318,8 +318,9 @@ void Checks::handed_over(const Place& place) {
 void Checks::on_disk(const Place& place) {
     // Of a course that has ended nothing is waited for any more: a disk that refused it until then has none
     // of it, and may also refuse to remove it (seed 29).
-    for (Line& one : lines_)
-        if (one.number == place.line && !one.ended) one.on_disk = place;
+    const auto its = std::ranges::find(lines_, place.line, &Line::number);
+    if (its == lines_.end() || its->ended) return;
+    its->on_disk = place;
     // Of what was left before that course began, nothing comes back.
     while (lines_.front().number < place.line)
         lines_.pop_front();

@@ -55,6 +55,22 @@ TEST(SimulatedDisk, ThatIsWaitedForWhileTheExerciseEndsIsNotWaitedForAgain) {
     EXPECT_THAT(kept_files(kFolder, disk), IsEmpty());
 }
 
+// Seed 2799 of the simulated centres: what had been removed of it, and an older course, were there again.
+TEST(SimulatedDisk, HasNothingOfAnExerciseThatEndedAfterAPowerCut) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        World world(seed);
+        SimDisk disk(world);
+        KeptExercise kept(kFolder, "anna", test::let_go_hash(), disk, [&world] { return world.time(); });
+        LetGo let_go;
+        keep_up_to(300, kept, let_go);
+        let_go.give(run::RunAction::stop);
+        let_go.look(&kept);
+        kept.write_waiting();
+        disk.lose(Loss::power_cut);
+        ASSERT_THAT(kept_files(kFolder, disk), IsEmpty()) << seed;
+    }
+}
+
 std::optional<TakenUp> start(SimDisk& disk, std::uint64_t definition_hash = test::let_go_hash()) {
     return take_up(kFolder, "anna", kAside, {.definition_hash = definition_hash, .check = {}}, disk);
 }
