@@ -128,14 +128,16 @@ void ClassRuns::look_back(const std::string& exercise, const std::function<bool(
     }
 }
 
-std::optional<double> ClassRuns::gives_up(const std::string& exercise) const {
-    std::optional<double> at;
+std::optional<Asking> ClassRuns::asking(const std::string& exercise) const {
+    std::optional<Asking> asks;
     look_back(exercise, [&](const Event& event) {
-        const bool waits = event.code() == "assessment.unanswered";
-        if (waits) at = event.value();
-        return !waits && event.code() != "assessment.answered" && event.code() != "lesson.over";
+        if (event.code() == "assessment.unanswered") {
+            if (!asks) asks = Asking{.since = 0, .gives_up = event.value()};
+            asks->since = event.time();
+        }
+        return event.code() != "assessment.answered" && event.code() != "lesson.over";
     });
-    return at;
+    return asks;
 }
 
 bool ClassRuns::holds_for_a_question(const std::string& exercise) const {

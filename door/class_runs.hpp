@@ -11,6 +11,12 @@
 
 namespace windlass::door {
 
+/// A lesson's bridge that has asked in vain; s of exercise.
+struct Asking {
+    double since = 0;    ///< when it was told first that it has
+    double gives_up = 0; ///< and ends the lesson, unless it hears something
+};
+
 /// What is asked is asked again until it shows: a server that was started late has a class all the same. One
 /// thread.
 class ClassRuns {
@@ -47,9 +53,8 @@ public:
     /// Why an exercise is not there yet, does not stand at its moment, or is not recorded; empty: nothing is
     /// wrong.
     std::string trouble(const std::string& exercise) const;
-    /// s of exercise at which the lesson's bridge, which has asked in vain, gives up and ends it, unless it
-    /// hears something; nothing: it waits for no answer.
-    std::optional<double> gives_up(const std::string& exercise) const;
+    /// What the lesson's bridge waits for in vain; nothing: it waits for no answer.
+    std::optional<Asking> asking(const std::string& exercise) const;
     /// Whether an exercise holds for a question to one of its seats.
     bool holds_for_a_question(const std::string& exercise) const;
     /// s of wall time since an exercise was heard to run on from a start or a pause; 0: it does not.

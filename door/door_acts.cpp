@@ -593,8 +593,8 @@ json DoorHost::class_told(const TrainingClass& told) {
                   {"lost", result.lost ? json(*result.lost) : json()},
                   {"outcome", result.outcome},
                   {"trouble", runs_.trouble(exercise)}};
-        const auto gives_up = runs_.gives_up(exercise);
-        each["gives_up"] = gives_up ? json(*gives_up) : json();
+        const auto asking = runs_.asking(exercise);
+        each["asking"] = asking ? json{{"since", asking->since}, {"gives_up", asking->gives_up}} : json();
         each["asked"] = runs_.holds_for_a_question(exercise);
         const auto heard = runs_.told(exercise);
         each["heard"] = heard.has_value();

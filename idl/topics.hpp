@@ -206,6 +206,7 @@ inline constexpr Topic<ForecastleView> forecastle_ghost{{.name = "ForecastleGhos
                                                          .instances = 2}};
 inline constexpr Topic<BridgeView> bridge_ghost{
     {.name = "BridgeGhost", .type = "BridgeView", .from_server = true, .rate = 10}};
+/// Of the bridge's panel.
 inline constexpr Topic<Alert> alert{{.name = "Alert",
                                      .type = "Alert",
                                      .from_server = true,
@@ -215,6 +216,17 @@ inline constexpr Topic<Alert> alert{{.name = "Alert",
                                      .transient_local = true,
                                      .depth = 1,
                                      .instances = 256}};
+/// Of the forecastle's panel.
+inline constexpr Topic<Alert> forecastle_alert{{.name = "ForecastleAlert",
+                                                .type = "Alert",
+                                                .from_server = true,
+                                                .rate = 0,
+                                                .keyed = true,
+                                                .reliable = true,
+                                                .transient_local = true,
+                                                .depth = 1,
+                                                .instances = 64}};
+/// About the simulation itself.
 inline constexpr Topic<Alert> server_alert{{.name = "ServerAlert",
                                             .type = "Alert",
                                             .from_server = true,
@@ -426,7 +438,7 @@ inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCo
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 54> all{exercise_status,
+inline constexpr std::array<TopicInfo, 55> all{exercise_status,
                                                exercise_truth,
                                                environment_state,
                                                ship_state,
@@ -453,6 +465,7 @@ inline constexpr std::array<TopicInfo, 54> all{exercise_status,
                                                forecastle_ghost,
                                                bridge_ghost,
                                                alert,
+                                               forecastle_alert,
                                                server_alert,
                                                bridge_order,
                                                assessment,

@@ -136,7 +136,7 @@ struct Pages::Impl::Connection final : gateway::Transport, std::enable_shared_fr
             checks.gets(item.subscription, topic == nullptr ? "a channel that there is not" : topic->name,
                         item.frame->payload);
             impl.add_to_digest(item.frame->payload);
-            const bool alert = topic->name == std::string_view(wire::topics::alert.name);
+            const bool alert = topic->name == std::string_view(wire::topics::forecastle_alert.name);
             if (alert && page.hand && page.chance.in(0.3)) acknowledge(item.frame->payload);
             return;
         }
@@ -267,12 +267,14 @@ Pages::Impl::Impl(World& its_world, Network& its_network, std::uint64_t seed, Sa
     const bool takes_part = chance.in(0.5) || all, works = chance.in(0.4) || all;
     if (!takes_part) return;
     digest = 14695981039346656037ULL;
-    const std::vector<std::string> seat{"ExerciseStatus", "SeatEvent", "Alert"};
-    std::vector<std::string> truth = seat;
+    const std::vector<std::string> deck{"ExerciseStatus", "SeatEvent", "ForecastleAlert"};
+    std::vector<std::string> both = deck;
+    both.emplace_back("Alert");
+    std::vector<std::string> truth = both;
     truth.insert(truth.end(), {"Event", "ShipState", "ServerAlert"});
-    add(station::Seat::watcher, "watch", seat, false);
+    add(station::Seat::watcher, "watch", both, false);
     add(station::Seat::observer, "observer", truth, false);
-    if (works) add(station::Seat::forecastle, "deck", seat, true);
+    if (works) add(station::Seat::forecastle, "deck", deck, true);
 }
 
 Pages::Impl::~Impl() {
@@ -307,9 +309,9 @@ void Pages::Impl::start(Program& program) {
     program.book = {};
     program.runs = std::make_unique<StationProgram>(world, network, program.options);
     // What the server's writers have for who comes late.
-    for (const wire::TopicInfo* topic :
-         std::initializer_list<const wire::TopicInfo*>{&wire::topics::event, &wire::topics::seat_event,
-                                                       &wire::topics::alert, &wire::topics::server_alert})
+    for (const wire::TopicInfo* topic : std::initializer_list<const wire::TopicInfo*>{
+             &wire::topics::event, &wire::topics::seat_event, &wire::topics::alert,
+             &wire::topics::forecastle_alert, &wire::topics::server_alert})
         for (const ToldPtr& sample : told.stands(topic->name))
             send_on(program, sample);
     if (const ToldPtr status = told.newest(wire::topics::exercise_status.name)) send_on(program, status);
@@ -518,10 +520,12 @@ void Pages::tell(const run::Session& session, std::uint64_t server) {
     for (const run::AlertView& alert : session.alerts()) {
         Alert to;
         dds::convert(alert, to);
-        const bool seats = alert.deck_panel || alert.bridge_panel;
-        impl.tell(seats ? static_cast<const wire::TopicInfo&>(wire::topics::alert)
-                        : wire::topics::server_alert,
-                  wire::encode(to), fmt::format("{}/{}", alert.code, alert.side), to.time());
+        const auto tell = [&](const wire::TopicInfo& topic) {
+            impl.tell(topic, wire::encode(to), fmt::format("{}/{}", alert.code, alert.side), to.time());
+        };
+        if (alert.bridge_panel) tell(wire::topics::alert);
+        if (alert.deck_panel) tell(wire::topics::forecastle_alert);
+        if (!alert.bridge_panel && !alert.deck_panel) tell(wire::topics::server_alert);
     }
     const double now = impl.world.now();
     const run::RunStatus& status = session.status();

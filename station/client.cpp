@@ -75,7 +75,9 @@ struct Client::Link {
                                    }
                                    file(&Picture::receive, sample);
                                }};
-    Ear<Alert> alert = hear(true, wire::topics::alert);
+    Ear<Alert> alert = hear(on_bridge(seat) || has_truth(seat), wire::topics::alert);
+    Ear<Alert> forecastle_alert =
+        hear(on_forecastle(seat) || has_truth(seat), wire::topics::forecastle_alert);
     Ear<BridgeOrder> order = hear(true, wire::topics::bridge_order);
     Ear<WindlassCommand> levers = hear(true, wire::topics::windlass_command);
     Ear<HelmCommand> helm = hear(true, wire::topics::helm_command);

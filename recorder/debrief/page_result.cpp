@@ -333,10 +333,12 @@ std::string result_part(const PageContext& page) {
     if (assessment.practice())
         html += fmt::format("<p>This attempt was {}: it is no test of competence.</p>\n",
                             practice_words(attempt));
-    if (const Event* restored = attempt.restored(); restored != nullptr && !assessment.practice())
-        html += fmt::format("<p>It goes on from a moment that was there before ({}): it is no test of "
-                            "competence.</p>\n",
-                            escaped(restored->text().to_string()));
+    if (const Event* restored = attempt.restored(); restored != nullptr)
+        html += fmt::format("<p>It goes on from a moment that was there before ({}){}. Orders, questions and "
+                            "points that stand here with an earlier time are of before; what was said then "
+                            "is not of this attempt.</p>\n",
+                            escaped(restored->text().to_string()),
+                            assessment.practice() ? "" : ": it is no test of competence");
     if (assessment.score() != assessment.score_computed())
         html += fmt::format("<p>Computed: {:.1f} points; the assessor has set marks beside that.</p>\n",
                             assessment.score_computed());

@@ -229,8 +229,29 @@ bool answers_question(const BridgeOrder& question, const Report& report) {
     }
 }
 
+/// What came to a question that was asked before the moment from which the attempt goes on. What was said
+/// then is of another attempt, and whatever was reported since may be about something else: the lesson knows.
+void tell_answered_before(const Attempt& attempt, const BridgeOrder& question, double moment,
+                          OrderSaid& row) {
+    constexpr double kAtOnce = 0.05; // s: a tick or two, by which the lesson's word is behind the report's
+    if (!row.answered) row.answered = row.done;
+    for (const SaidReport& said : attempt.reports)
+        if (row.answered && std::abs(said.time - *row.answered) < kAtOnce &&
+            answers_question(question, said.report))
+            row.answer = station::words(said.report);
+    if (question.state() != ORDER_GIVEN) return;
+    row.state = row.answered ? "answered"
+                : row.judged ? "not answered"
+                             : fmt::format("asked before {}, from where this goes on; whether it was "
+                                           "answered is not told here",
+                                           station::clock(moment));
+}
+
 /// What came to a question until it was asked again.
 void tell_answered(const Attempt& attempt, const BridgeOrder& question, OrderSaid& row) {
+    if (const Event* restored = attempt.restored();
+        restored != nullptr && question.time() <= restored->time())
+        return tell_answered_before(attempt, question, restored->time(), row);
     const auto again = std::ranges::find_if(attempt.orders, [&](const GivenOrder& each) {
         return each.order.number() > question.number() && is_same(each.order, question);
     });

@@ -12,7 +12,9 @@ struct OrderSaid {
     std::string words, by;
     bool question = false;          ///< it asks: answered, and not repeated
     std::optional<double> repeated; ///< time of the first repeat-back
-    std::string state; ///< "repeated", "repeated wrongly", "not repeated, said again", "answered" ...
+    std::string state; ///< "repeated", "repeated wrongly", "not repeated, said again", "answered" ...; of a
+                       ///< question of before an attempt that goes on from a moment, that it is, where no
+                       ///< more is known
     std::optional<double> answered; ///< time of the first report that answers it, other than its repeat-back
     std::string answer;             ///< its words
     std::optional<double> repeat_by, do_by; ///< times, where there was a deadline

@@ -33,7 +33,8 @@ bool flag_as_replay(mcap::Buffer& payload) {
 namespace {
 
 bool is_alert(const std::string& topic) {
-    return topic == wire::topics::alert.name || topic == wire::topics::server_alert.name;
+    return topic == wire::topics::alert.name || topic == wire::topics::forecastle_alert.name ||
+           topic == wire::topics::server_alert.name;
 }
 
 /// Which instance of a keyed topic the payload is of. Throws mcap::Damage.
@@ -50,8 +51,8 @@ struct Kept {
     std::set<std::string> all{wire::topics::event.name, wire::topics::seat_event.name,
                               wire::topics::forecastle_instruction.name,
                               wire::topics::bridge_instruction.name};
-    std::set<std::string> by_key{wire::topics::alert.name, wire::topics::server_alert.name,
-                                 wire::topics::bridge_order.name};
+    std::set<std::string> by_key{wire::topics::alert.name, wire::topics::forecastle_alert.name,
+                                 wire::topics::server_alert.name, wire::topics::bridge_order.name};
     std::set<std::string> last, streams;
 
     Kept() {

@@ -70,6 +70,7 @@ Writers::Writers(wire::Participant& participant)
       force(participant, wire::topics::cable_force),
       event(participant, wire::topics::event),
       alert(participant, wire::topics::alert),
+      forecastle_alert(participant, wire::topics::forecastle_alert),
       server_alert(participant, wire::topics::server_alert),
       truth(participant, wire::topics::exercise_truth),
       environment(participant, wire::topics::environment_state),
@@ -106,6 +107,7 @@ Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
       outputs_(kFrames),
       events_(kEvents),
       alerts_(kAlerts),
+      forecastle_alerts_(kAlerts),
       server_alerts_(kAlerts),
       seat_events_(kEvents),
       forecastle_instructions_(kInstructions),
@@ -225,12 +227,17 @@ template <class View>
 void Publisher::offer(const View& view) {
     hand_over(view, ring_of(view));
 }
-template void Publisher::offer(const run::AlertView& alert);
 template void Publisher::offer(const run::CheckpointView& checkpoint);
 template void Publisher::offer(const run::OrderView& order);
 template void Publisher::offer(const run::QuestionView& question);
 template void Publisher::offer(const run::PredictionView& prediction);
 template void Publisher::offer(const assess::Result& assessment);
+
+void Publisher::offer(const run::AlertView& alert) {
+    if (alert.bridge_panel) hand_over(alert, alerts_);
+    if (alert.deck_panel) hand_over(alert, forecastle_alerts_);
+    if (!alert.bridge_panel && !alert.deck_panel) hand_over(alert, server_alerts_);
+}
 
 void Publisher::offer(const ForecastleView& ghost) {
     hand_over(ghost, forecastle_ghosts_);
@@ -339,8 +346,9 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     while (!(outputs_.empty() && events_.empty() && seat_events_.empty() &&
              forecastle_instructions_.empty() && bridge_instructions_.empty() &&
              forecastle_questions_.empty() && bridge_questions_.empty() && alerts_.empty() &&
-             server_alerts_.empty() && bridge_orders_.empty() && seas_.empty() && checkpoints_.empty() &&
-             orders_.empty() && assessments_.empty() && seat_assessments_.empty() && predictions_.empty()) &&
+             forecastle_alerts_.empty() && server_alerts_.empty() && bridge_orders_.empty() &&
+             seas_.empty() && checkpoints_.empty() && orders_.empty() && assessments_.empty() &&
+             seat_assessments_.empty() && predictions_.empty()) &&
            left().count() > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -353,6 +361,7 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     writers_.forecastle_question.wait_acknowledged(left());
     writers_.bridge_question.wait_acknowledged(left());
     writers_.alert.wait_acknowledged(left());
+    writers_.forecastle_alert.wait_acknowledged(left());
     writers_.server_alert.wait_acknowledged(left());
     writers_.bridge_order.wait_acknowledged(left());
     writers_.order.wait_acknowledged(left());
@@ -377,7 +386,9 @@ void Publisher::write_waiting() {
             write_oldest(bridge_instructions_, writers_.bridge_instruction) ||
             write_oldest(forecastle_questions_, writers_.forecastle_question) ||
             write_oldest(bridge_questions_, writers_.bridge_question) ||
-            write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
+            write_oldest(alerts_, writers_.alert) ||
+            write_oldest(forecastle_alerts_, writers_.forecastle_alert) ||
+            write_oldest(server_alerts_, writers_.server_alert) ||
             write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||
             write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint) ||
             write_oldest(assessments_, writers_.assessment) ||

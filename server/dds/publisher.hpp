@@ -30,7 +30,7 @@ struct Writers {
     wire::Writer<WindlassLoad> load;
     wire::Writer<CableForce> force;
     wire::Writer<Event> event;
-    wire::Writer<Alert> alert, server_alert;
+    wire::Writer<Alert> alert, forecastle_alert, server_alert;
     wire::Writer<ExerciseTruth> truth;
     wire::Writer<EnvironmentState> environment;
     wire::Writer<Daylight> daylight;
@@ -78,10 +78,12 @@ public:
     /// except that an event copies its text.
     void offer(const exercise::Snapshot& snapshot, const run::RunStatus& run, double now);
 
-    /// Hands over at once an AlertView, CheckpointView, OrderView, QuestionView, PredictionView or
-    /// assess::Result; dropped and counted only when thousands wait already.
+    /// Hands over at once a CheckpointView, OrderView, QuestionView, PredictionView or assess::Result;
+    /// dropped and counted only when thousands wait already.
     template <class View>
     void offer(const View& view);
+    /// The same of an alert, for each panel that it is of; one of none is about the simulation.
+    void offer(const run::AlertView& alert);
     /// The same of an event, and of what a seat notices of it; seen: the picture at it.
     void offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
                const run::RunStatus& run);
@@ -127,9 +129,6 @@ private:
     void hand_over_sea(const exercise::Snapshot& snapshot);
     bool status_due(const exercise::Snapshot& snapshot, const run::RunStatus& run, double now);
     SpscRing<Event>& ring_of(const exercise::ExerciseEvent&) { return events_; }
-    SpscRing<Alert>& ring_of(const run::AlertView& alert) {
-        return alert.deck_panel || alert.bridge_panel ? alerts_ : server_alerts_;
-    }
     SpscRing<Checkpoint>& ring_of(const run::CheckpointView&) { return checkpoints_; }
     SpscRing<OrderTaken>& ring_of(const run::OrderView&) { return orders_; }
     SpscRing<Question>& ring_of(const run::QuestionView& question) {
@@ -171,7 +170,7 @@ private:
     // Between the two
     SpscRing<Output> outputs_;
     SpscRing<Event> events_;
-    SpscRing<Alert> alerts_, server_alerts_;
+    SpscRing<Alert> alerts_, forecastle_alerts_, server_alerts_;
     SpscRing<SeatEvent> seat_events_, forecastle_instructions_, bridge_instructions_;
     SpscRing<Question> forecastle_questions_, bridge_questions_;
     SpscRing<BridgeOrder> bridge_orders_;

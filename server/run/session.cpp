@@ -140,7 +140,8 @@ void Session::set_up() {
     keep_events();
 }
 
-/// Tells the trainees what their lesson is about, a piece in each event, and whether it is over already.
+/// Tells the trainees what their lesson is about, a piece in each event, and whether it is over already; and
+/// those who have the truth, of a run that goes on from there, that the bridge is waiting for an answer.
 void Session::brief() {
     brief_each_seat();
     tell_aids();
@@ -150,6 +151,7 @@ void Session::brief() {
         log("exercise.briefing", std::move(piece), -1, ++number);
     lesson_over_told_ = false;
     tell_when_the_lesson_is_over();
+    tell_when_the_bridge_gives_up();
 }
 
 /// What one seat alone is told. Whoever joins late hears what was told in earlier runs, too: so a seat that

@@ -51,10 +51,15 @@ void Session::tell_hints() {
 void Session::tell_unanswered(int asked_before) {
     const int asked = assessor_.state().asked;
     if (asked == 0 && asked_before > 0) log("assessment.answered", "the bridge has its answer");
-    if (asked <= asked_before) return;
+    if (asked > asked_before) tell_when_the_bridge_gives_up();
+}
+
+/// Nothing where it has not had to ask.
+void Session::tell_when_the_bridge_gives_up() {
     const int rate = def().tick_rate_hz;
-    const double until =
-        static_cast<double>(assess::gives_up_at(*assessor_.lesson(), assessor_.state(), rate)) / rate;
+    const std::int64_t at = assess::gives_up_at(*assessor_.lesson(), assessor_.state(), rate);
+    if (at < 0) return;
+    const double until = static_cast<double>(at) / rate;
     log("assessment.unanswered",
         fmt::format("the bridge asks again: if it hears nothing it gives up at {:.0f} s, and the lesson ends",
                     until),

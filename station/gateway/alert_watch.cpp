@@ -11,6 +11,13 @@ using nlohmann::json;
 
 namespace {
 
+/// By the panels that alerts are of.
+const Topics& alert_topics() {
+    static const Topics all{&wire::topics::alert, &wire::topics::forecastle_alert,
+                            &wire::topics::server_alert};
+    return all;
+}
+
 bool waits(const Alert& alert) {
     return alert.condition() == ALERT_ACTIVE_UNACKNOWLEDGED || alert.condition() == ALERT_ACTIVE_SILENCED ||
            alert.condition() == ALERT_RECTIFIED_UNACKNOWLEDGED;
@@ -46,9 +53,8 @@ void AlertWatch::follow(const SharedReaders& readers, const std::vector<std::str
     for (const std::string& exercise : exercises) {
         if (feeds_.contains(exercise)) continue;
         try {
-            feeds_[exercise] =
-                std::make_unique<Feed>(readers, wire::exercise_partition(exercise), Feed::Kind::exercise,
-                                       Topics{&wire::topics::alert, &wire::topics::server_alert});
+            feeds_[exercise] = std::make_unique<Feed>(readers, wire::exercise_partition(exercise),
+                                                      Feed::Kind::exercise, alert_topics());
         } catch (const std::exception&) {
             feeds_.erase(exercise); // tried again with the next news
         }
@@ -58,8 +64,11 @@ void AlertWatch::follow(const SharedReaders& readers, const std::vector<std::str
 json AlertWatch::told() const {
     json all = json::object();
     for (const auto& [exercise, feed] : feeds_) {
-        auto frames = feed->kept(wire::topics::alert);
-        std::ranges::move(feed->kept(wire::topics::server_alert), std::back_inserter(frames));
+        std::vector<FramePtr> frames;
+        for (const wire::TopicInfo* topic : alert_topics())
+            for (FramePtr& frame : feed->kept(*topic))
+                if (std::ranges::find(frames, frame->instance, &SharedFrame::instance) == frames.end())
+                    frames.push_back(std::move(frame)); // one that is of two panels once
         if (json first = alert_to_tell(frames); !first.is_null()) all[exercise] = std::move(first);
     }
     return all;

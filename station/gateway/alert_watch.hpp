@@ -7,10 +7,10 @@
 
 namespace windlass::gateway {
 
-/// The alert to be told first of samples of Alert and ServerAlert: of those that wait to be acknowledged the
-/// highest priority, of equal ones the latest (MSC.302(87) has them so). Its code, side, priority (a number,
-/// as in Alert), text and raised_time, and waiting: how many there are. null: none waits. A payload that is
-/// no alert is passed over.
+/// The alert to be told first of samples of Alert, ForecastleAlert and ServerAlert: of those that wait to be
+/// acknowledged the highest priority, of equal ones the latest (MSC.302(87) has them so). Its code, side,
+/// priority (a number, as in Alert), text and raised_time, and waiting: how many there are. null: none waits.
+/// A payload that is no alert is passed over.
 nlohmann::json alert_to_tell(const std::vector<FramePtr>& frames);
 
 class AlertWatch {

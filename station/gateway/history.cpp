@@ -23,8 +23,9 @@ constexpr PastBounds kDrawn{.apart = 1, .frames = 7200, .bytes = 4 << 20};
 constexpr PastBounds kSaid{.apart = 0, .frames = 200, .bytes = 1 << 18};
 
 std::size_t depth_kept(const wire::TopicInfo& topic) {
-    // Levers count only as long as they are sent, and an order is given once.
-    if (!topic.from_server) return 0;
+    // A word on levers stands when the hand has left them, and no server tells it again. An order is given
+    // once.
+    if (!topic.from_server) return topic.exclusive ? 1 : 0;
     return topic.transient_local ? static_cast<std::size_t>(topic.depth) : 1;
 }
 
@@ -145,6 +146,7 @@ History::History(const wire::TopicInfo& topic, bool many_writers, bool with_past
       past_(with_past ? past_of(topic) : PastBounds{}),
       instances_(static_cast<std::size_t>(topic.instances)),
       many_writers_(many_writers || !topic.from_server),
+      of_clients_(!topic.from_server),
       ages_(many_writers),
       is_log_(topic.transient_local && topic.depth > 1 && !topic.keyed) {}
 
@@ -175,8 +177,11 @@ void History::keep(const FramePtr& frame, const std::string& writer, Clock::time
 }
 
 void History::back_to(double time) {
-    for (auto& [key, instance] : instances_kept_)
+    for (auto& [key, instance] : instances_kept_) {
         instance.past.back_to(time);
+        if (of_clients_)
+            std::erase_if(instance.newest, [time](const Kept& one) { return one.frame->time > time; });
+    }
 }
 
 std::vector<FramePtr> History::kept(Clock::time_point now) const {

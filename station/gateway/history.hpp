@@ -1,6 +1,6 @@
 #pragma once
 // What a page that joins late is given of one topic: what a late joiner of DDS would get, the newest sample
-// of a stream, and of what a page draws over time the past. Pure.
+// of a stream, the last word on levers, and of what a page draws over time the past. Pure.
 
 #include "idl/topics.hpp"
 
@@ -86,7 +86,7 @@ public:
     /// has nothing before it. What clients say is theirs together.
     void keep(const FramePtr& frame, const std::string& writer, Clock::time_point now);
 
-    /// As Past's.
+    /// As Past's; of levers the word that came later is forgotten, too.
     void back_to(double time);
 
     /// Of each instance the past, then the newest; oldest first.
@@ -110,6 +110,7 @@ private:
     const PastBounds past_;
     const std::size_t instances_; ///< at most
     const bool many_writers_;     ///< that do not end what others said
+    const bool of_clients_;       ///< its samples are no server's
     const bool ages_;             ///< what is old is told to nobody
     const bool is_log_;           ///< tells what has happened, each thing once
     std::string writer_;

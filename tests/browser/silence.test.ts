@@ -147,11 +147,12 @@ describe("a server that dies with an alert", () => {
   const marks = async () => Number((await desk.locator(".timeline canvas").getAttribute("aria-label")).match(/\d+/)[0]);
   const unattended = () => desk.locator('.log li[data-code="levers.lost"]');
 
-  test("that every page shows, and the desk's timeline and log", async () => {
+  test("that forecastle and desk show, and the desk's timeline and log", async () => {
     const hand = rig.console("levers", "--brake", "1");
     await hand.line(/has the port windlass/);
     await hand.stop();
     for (const page of [deck, desk]) await eventually("an alert", async () => /1 warning/.test(await alerts(page)));
+    assert.match(await alerts(bridge), /no alerts/, "it is of the forecastle's panel");
     await eventually("it is logged", async () => (await unattended().count()) === 1);
     assert.match(await unattended().textContent(), /nobody has the port windlass/);
     await eventually("marks", async () => (await marks()) > 1);

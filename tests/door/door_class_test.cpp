@@ -193,9 +193,12 @@ TEST_F(Class, SaysWhenTheSilenceOfASeatEndsItsLesson) {
     const auto told = [this] { return class_told("mon")["exercises"][0]; };
     EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}).status, 200);
     ASSERT_TRUE(eventually([&] { return told()["time"] > 5.0; })) << door_->text();
-    EXPECT_TRUE(told()["gives_up"].is_null()) << "the first order is 2 s old";
-    ASSERT_TRUE(eventually([&] { return told()["gives_up"].is_number(); })) << told();
-    EXPECT_NEAR(told()["gives_up"].get<double>(), 63, 1) << "said once and three times again, 15 s apart";
+    EXPECT_TRUE(told()["asking"].is_null()) << "the first order is 2 s old";
+    ASSERT_TRUE(eventually([&] { return told()["asking"].is_object(); })) << told();
+    EXPECT_NEAR(told()["asking"]["gives_up"].get<double>(), 63, 1)
+        << "said once and three times again, 15 s apart";
+    ASSERT_TRUE(eventually([&] { return told()["time"] > 34.0; })) << told();
+    EXPECT_NEAR(told()["asking"]["since"].get<double>(), 18, 1) << "and not since the second time";
 }
 
 // A start passes a question over, and at the desk it is meant to.

@@ -731,6 +731,38 @@ TEST(DebriefTest, QuestionIsAnsweredAndNobodyRepeatsIt) {
     EXPECT_THAT(page_of(attempt, {}), HasSubstr("not answered: how is the port cable growing?"));
 }
 
+// A class that begins again from a moment is told the orders of before, and not what was said to them.
+TEST(DebriefTest, QuestionOfBeforeTheMomentThatAnAttemptGoesOnFromIsToldByWhatTheLessonKnows) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);         // shackles are reported at 37.5 s
+    BridgeOrder& order = attempt.orders[0].order; // given at 8 s, which the lesson knows as done at 14 s
+    order.code(BRIDGE_ORDER_HOW_MUCH);
+    order.side(SIDE_PORT);
+    order.state(ORDER_GIVEN);
+    Event restored;
+    restored.time(20);
+    restored.code("exercise.restored");
+    restored.text("exercise restored to 20.00 s, paused, from monday at 0:20 by instructor");
+    attempt.events.insert(attempt.events.begin(), restored);
+    auto row = orders_said(attempt)[0];
+    EXPECT_EQ(row.state, "answered");
+    EXPECT_EQ(row.answered, 14.0) << "what was reported since is no answer to it";
+    attempt.assessment->orders()[0].tick(0);
+    EXPECT_EQ(orders_said(attempt)[0].state, "not answered");
+    attempt.assessment->orders().clear(); // somebody asked, whom the lesson does not know
+    row = orders_said(attempt)[0];
+    EXPECT_EQ(row.state,
+              "asked before 0:20, from where this goes on; whether it was answered is not told here");
+    EXPECT_FALSE(row.answered);
+    attempt.assessment->practice(true);
+    EXPECT_THAT(page_of(attempt, {}),
+                HasSubstr("Orders, questions and points that stand here with an earlier "
+                          "time are of before"));
+    order.time(25); // asked here
+    EXPECT_EQ(orders_said(attempt)[0].state, "answered");
+    EXPECT_NEAR(orders_said(attempt)[0].answered.value_or(0), 37.5, 1e-9);
+}
+
 TEST(DebriefTest, LimitThatNeverCameIntoPlayHasNoWorst) {
     const Folder folder;
     Attempt attempt = attempt_of(folder);

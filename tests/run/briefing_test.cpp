@@ -216,6 +216,29 @@ TEST_F(EndOfALesson, IsForetoldToWhoHasTheTruthWhereTheBridgeHasNoAnswer) {
               "the bridge asks again: if it hears nothing it gives up at 24 s, and the lesson ends");
 }
 
+TEST_F(EndOfALesson, IsForetoldAgainWhereARestoreLeadsIntoTheBridgesAsking) {
+    exercise::ExerciseDef silent;
+    silent.lesson = R"({"id": "T", "patience": 60, "orders": [)" // one line, as files are read
+                    R"({"id": "o", "code": "stand_by", "repeat": 1, "when": {"time": 0.1}}], )"
+                    R"("criteria": [{"id": "c", "kind": "order", "orders": ["o"]}], )"
+                    R"("end": {"good": {"answered": "o"}}})";
+    Session session(silent, options());
+    run(session, 7 * silent.tick_rate_hz);
+    ASSERT_EQ(count(session, "assessment.unanswered"), 1);
+    session.take_checkpoint_now();
+    RunOrder back = run_order(RunAction::restore);
+    back.restore_time = session.now_time();
+    session.clear_news();
+    give(session, back);
+    EXPECT_EQ(text_of(session, "assessment.unanswered"),
+              "the bridge asks again: if it hears nothing it gives up at 24 s, and the lesson ends");
+    session.clear_news();
+    back.restore_time = 0;
+    give(session, back);
+    EXPECT_EQ(count(session, "exercise.restored"), 1);
+    EXPECT_EQ(count(session, "assessment.unanswered"), 0) << "it had not asked then";
+}
+
 TEST_F(EndOfALesson, OverAnOrderThatWasRepeatedWronglyIsNoWantOfAnAnswer) {
     exercise::ExerciseDef misheard;
     misheard.lesson = R"({"id": "T", "patience": 60, "orders": [

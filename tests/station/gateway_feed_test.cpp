@@ -174,14 +174,25 @@ TEST(History, KeepsWhatALateJoinerOfDdsWouldGet) {
     EXPECT_THAT(marks(alerts.kept(kStart + 1h)), ElementsAre(2, 3));
 }
 
-TEST(History, KeepsTheNewestOfEveryStreamAndNoLevers) {
+TEST(History, KeepsTheNewestOfEveryStream) {
     History loads(topics::chain_state);
     for (int i = 0; i < 10; ++i)
         loads.keep(frame(static_cast<std::uint8_t>(i), i % 2 == 0 ? "port" : "starboard"), "server", kStart);
     EXPECT_THAT(marks(loads.kept(kStart)), ElementsAre(8, 9));
+}
+
+// What was set stays set when the hand has left, which no topic of the server tells.
+TEST(History, KeepsTheLastWordOnLeversOfEachSideAndNoOrder) {
     History levers(topics::windlass_command);
-    levers.keep(frame(1), "trainee", kStart);
-    EXPECT_THAT(levers.kept(kStart), IsEmpty());
+    for (const int time : {1, 2, 3})
+        levers.keep(at_time(time, "port"), "trainee", kStart);
+    levers.keep(at_time(5, "starboard"), "another trainee", kStart);
+    EXPECT_THAT(marks(levers.kept(kStart + 1h)), ElementsAre(3, 5));
+    levers.back_to(4);
+    EXPECT_THAT(marks(levers.kept(kStart)), ElementsAre(3)) << "what a restore has left was not said";
+    History orders(topics::fault_command);
+    orders.keep(frame(1), "instructor", kStart);
+    EXPECT_THAT(orders.kept(kStart), IsEmpty());
 }
 
 TEST(TimeOf, IsTheExerciseTimeOfEveryTopicWithAPast) {

@@ -75,6 +75,13 @@ TEST_P(RoleOf, NoTraineesSeatHearsATopicOfTheTruthLive) {
     EXPECT_EQ(heard.contains("FaultCommand"), GetParam() == Seat::instructor);
 }
 
+// On a ship the bridge has no panel that tells of a cable that runs away: somebody reports it.
+TEST_P(RoleOf, ASeatHearsTheAlertsOfItsOwnPanel) {
+    const Names heard = names(role_of(GetParam(), "mine").hears);
+    EXPECT_EQ(heard.contains("ForecastleAlert"), GetParam() != Seat::conning);
+    EXPECT_EQ(heard.contains("Alert"), GetParam() != Seat::forecastle);
+}
+
 INSTANTIATE_TEST_SUITE_P(Seats, RoleOf,
                          ::testing::Values(Seat::forecastle, Seat::conning, Seat::trainee, Seat::watcher,
                                            Seat::observer, Seat::assessor, Seat::instructor),

@@ -133,26 +133,17 @@ TEST_F(Gateway, AForecastleHearsNoTruthAndNoneOfWhatIsNotItsOwn) {
     EXPECT_EQ(hello["commands"],
               json({"WindlassCommand", "Report", "DeckWorkCommand", "ForecastleAnswer", "AlertCommand"}));
     ASSERT_TRUE(eventually([&] { return page.samples("ForecastleView").size() > 30; }));
-    const std::set<std::string> own{"ExerciseStatus",
-                                    "SeatEvent",
-                                    "Alert",
-                                    "BridgeOrder",
-                                    "SeatAssessment",
-                                    "SceneDescription",
-                                    "Landmarks",
-                                    "Daylight",
-                                    "LightsAndShapes",
-                                    "SeaState",
-                                    "ReplayStatus",
-                                    "ForecastleView",
-                                    "WindlassCommand",
-                                    "InstructorWindlassCommand",
-                                    "HelmCommand",
-                                    "InstructorHelmCommand",
-                                    "ClassroomStatus",
-                                    "ForecastleInstruction",
-                                    "ForecastleQuestion",
-                                    "ForecastleGhost"}; // silent unless the seat practises and asks for it
+    const std::set<std::string> own{
+        "ExerciseStatus",     "SeatEvent",
+        "ForecastleAlert",    "BridgeOrder",
+        "SeatAssessment",     "SceneDescription",
+        "Landmarks",          "Daylight",
+        "LightsAndShapes",    "SeaState",
+        "ReplayStatus",       "ForecastleView",
+        "WindlassCommand",    "InstructorWindlassCommand",
+        "HelmCommand",        "InstructorHelmCommand",
+        "ClassroomStatus",    "ForecastleInstruction",
+        "ForecastleQuestion", "ForecastleGhost"}; // silent unless the seat practises and asks for it
     for (const auto& [number, name] : page.channels())
         EXPECT_TRUE(own.contains(name)) << name << " is advertised";
     for (const std::string& name : page.heard())

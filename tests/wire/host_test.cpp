@@ -211,6 +211,41 @@ TEST_F(HostTest, MarksReachASeatThatComesLateUntilTheyAreTakenBack) {
     EXPECT_TRUE(told(0, 0));
 }
 
+TEST_F(HostTest, AlertGoesToTheSeatOnWhosePanelItIsAndOneAboutTheSimulationToNone) {
+    wire::Participant server(member_, "exercise/alerts");
+    dds::PublishingPool pool(1);
+    dds::Publisher publisher(server, pool);
+    const auto raise = [&](const char* code, bool deck, bool bridge) {
+        run::AlertView alert;
+        alert.code = code;
+        alert.deck_panel = deck;
+        alert.bridge_panel = bridge;
+        publisher.offer(alert);
+    };
+    raise("cable.runaway", true, false);
+    raise("watch.circle", false, true);
+    raise("model.in_doubt", false, false);
+    publisher.flush(std::chrono::milliseconds(50));
+    const auto told = [&](const wire::Topic<Alert>& topic) {
+        wire::Participant late({rigs::own_domain(), "exercise/alerts", "late"});
+        std::mutex mutex;
+        std::string codes;
+        const wire::Reader<Alert> reader(late, topic, [&](const Alert& alert) {
+            const std::lock_guard lock(mutex);
+            codes += alert.code().to_string() + " ";
+        });
+        EXPECT_TRUE(eventually([&] {
+            const std::lock_guard lock(mutex);
+            return !codes.empty();
+        }));
+        const std::lock_guard lock(mutex);
+        return std::string(codes);
+    };
+    EXPECT_EQ(told(wire::topics::forecastle_alert), "cable.runaway ");
+    EXPECT_EQ(told(wire::topics::alert), "watch.circle ");
+    EXPECT_EQ(told(wire::topics::server_alert), "model.in_doubt ");
+}
+
 TEST_F(HostTest, ExerciseThatFailsStopsAloneWithAlertAndDump) {
     std::atomic<int> alerts_of_good{0}, alerts_of_bad{0};
     wire::Participant good(member_, "exercise/good"), bad(member_, "exercise/bad");

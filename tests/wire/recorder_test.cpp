@@ -102,6 +102,7 @@ void say_every_topic() {
     say(client, topics::bridge_question);
     say(client, topics::order_taken);
     say(client, topics::bridge_order);
+    say(client, topics::forecastle_alert);
     say(client, topics::server_alert);
     say(client, topics::assessment);
     // Sequences in structures, of structures, of octets.

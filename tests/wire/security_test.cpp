@@ -118,21 +118,13 @@ Names every_topic() {
     return names;
 }
 
-const Names kSeen{"ExerciseStatus",
-                  "SeatEvent",
-                  "Alert",
-                  "BridgeOrder",
-                  "SeatAssessment",
-                  "SceneDescription",
-                  "Daylight",
-                  "LightsAndShapes",
-                  "SeaState",
-                  "Landmarks",
-                  "ReplayStatus",
-                  "WindlassCommand",
-                  "InstructorWindlassCommand",
-                  "HelmCommand",
-                  "InstructorHelmCommand"};
+const Names kSeen{"ExerciseStatus",   "SeatEvent",
+                  "BridgeOrder",      "SeatAssessment",
+                  "SceneDescription", "Daylight",
+                  "LightsAndShapes",  "SeaState",
+                  "Landmarks",        "ReplayStatus",
+                  "WindlassCommand",  "InstructorWindlassCommand",
+                  "HelmCommand",      "InstructorHelmCommand"};
 
 Names with(Names names, std::initializer_list<std::string> more) {
     names.insert(more);
@@ -141,14 +133,14 @@ Names with(Names names, std::initializer_list<std::string> more) {
 
 TEST(Security, TraineeHearsWhatItsSeatsAreGivenAndNothingElse) {
     EXPECT_EQ(hears("trainee", "exercise/default"),
-              with(kSeen, {"ForecastleView", "ForecastleInstruction", "ForecastleQuestion", "ForecastleGhost",
-                           "BridgeView", "BridgeInstruction", "BridgeQuestion", "BridgeGhost",
-                           "ForecastleCamera", "Chart", "Report"}));
-    EXPECT_EQ(
-        hears("forecastle", "exercise/default"),
-        with(kSeen, {"ForecastleView", "ForecastleInstruction", "ForecastleQuestion", "ForecastleGhost"}));
+              with(kSeen, {"ForecastleView", "ForecastleAlert", "ForecastleInstruction", "ForecastleQuestion",
+                           "ForecastleGhost", "BridgeView", "Alert", "BridgeInstruction", "BridgeQuestion",
+                           "BridgeGhost", "ForecastleCamera", "Chart", "Report"}));
+    EXPECT_EQ(hears("forecastle", "exercise/default"),
+              with(kSeen, {"ForecastleView", "ForecastleAlert", "ForecastleInstruction", "ForecastleQuestion",
+                           "ForecastleGhost"}));
     EXPECT_EQ(hears("conning", "exercise/default"),
-              with(kSeen, {"BridgeView", "BridgeInstruction", "BridgeQuestion", "BridgeGhost",
+              with(kSeen, {"BridgeView", "Alert", "BridgeInstruction", "BridgeQuestion", "BridgeGhost",
                            "ForecastleCamera", "Chart", "Report"}));
 }
 
@@ -494,7 +486,8 @@ TEST(Roles, CoverTheTopicTable) {
     for (const auto& [other, topic] :
          {std::pair("conning read", "ForecastleInstruction"),
           std::pair("forecastle read", "BridgeInstruction"), std::pair("conning read", "ForecastleQuestion"),
-          std::pair("forecastle read", "BridgeQuestion")}) {
+          std::pair("forecastle read", "BridgeQuestion"), std::pair("conning read", "ForecastleAlert"),
+          std::pair("forecastle read", "Alert")}) {
         EXPECT_FALSE(may[other].contains(topic)) << "what is told to one seat alone";
         EXPECT_TRUE(debrief[other].contains(topic)) << topic;
     }

@@ -1,6 +1,6 @@
-// The helm's orders as they stood last in a run. Of levers that nobody holds a seat is told nothing: HelmCommand is
-// heard only while somebody speaks, and BridgeView has what engine, rudder and thrusters do, not what was ordered. So
-// the page remembers, over a reload too, until another takes the helm whom it did not hear.
+// The helm's orders as they stood last in a run. Of levers that nobody holds no server tells a seat anything:
+// HelmCommand counts only while somebody speaks, and BridgeView has what engine, rudder and thrusters do, not what was
+// ordered. So the page remembers, over a reload too, until another takes the helm whom it did not hear.
 
 import { begins } from "../kit/branch";
 import type { Connection, HelmLevers } from "../wire/connection";

@@ -105,9 +105,9 @@ export class Line {
       .sort((a, b) => a.number - b.number);
   }
 
-  /** Whether an order was given before the exercise was taken up here. */
-  isBefore(order: BridgeOrder): boolean {
-    return this.before.has(order);
+  /** What is said of a question that was asked before the exercise was gone on with here; empty: it was not. */
+  saidOfBefore(question: BridgeOrder): string {
+    return this.before.said(question);
   }
 
   /** Lines of the log by which reports were heard, of this branch. */

@@ -1,6 +1,6 @@
 // Orders to the forecastle: one touch, or two where a figure goes with it. What was said stands under them.
 
-import { kBefore, kLeft } from "../kit/branch";
+import { kLeft } from "../kit/branch";
 import { h, setAttribute, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { canBeCancelled, isAnswered } from "../kit/order_done";
@@ -213,7 +213,7 @@ export class OrderPanel {
 
   private row(said: Said, granted: boolean): HTMLElement {
     const { order } = said;
-    const past = order && isQuestion(order) && this.line.isBefore(order);
+    const past = order && isQuestion(order) && this.line.saidOfBefore(order) !== "";
     const cancellable = order && granted && !past && canBeCancelled(order, this.line.orders(), this.line.heard());
     return h(
       "li",
@@ -255,7 +255,8 @@ export class OrderPanel {
     const words = `${number} ${stateWords(order, this.line.orders())}`;
     if (order.state !== BridgeOrderState.ORDER_GIVEN) return words;
     if (isQuestion(order) && isAnswered(order, this.line.heard())) return `${number} \u2713 ${t("answered")}`;
-    if (isQuestion(order) && this.line.isBefore(order)) return `${number} ${kBefore}`;
+    const before = isQuestion(order) && this.line.saidOfBefore(order);
+    if (before) return `${number} ${before}`;
     if (order.repeat_by === 0) return number;
     return t("{order}, by {time}", { order: words, time: clock(order.repeat_by) });
   }

@@ -8,6 +8,7 @@ import { sideWord } from "../kit/units";
 import { PlotBoard } from "../plots/board";
 import { Ahead } from "./ahead";
 import { AskedBar } from "./asked";
+import { BridgeAsks } from "./bridge_asks";
 import { Desk } from "./desk";
 import { EnvironmentPanel } from "./environment";
 import { FaultPanel } from "./faults";
@@ -40,7 +41,7 @@ function sideChoice(desk: Desk): HTMLElement {
 export function makeDesk(page: Page): void {
   const desk = new Desk(page);
   const run = new RunBar(desk);
-  run.element.append(new AskedBar(desk).element);
+  run.element.append(new AskedBar(desk).element, new BridgeAsks(desk).element);
   const replay = new ReplayBar(desk);
   const plots = new PlotBoard(desk.link);
   desk.past.add(plots);

@@ -1,6 +1,7 @@
 // Reports of the forecastle as the exercise's log has them, each at its own time, with what was so then. The log alone
 // says when one was made: a Report has no time, and a desk that opens late hears those of before all at once. What was
-// so before it was here, it has from the lesson's judge, of the reports that he holds against the truth.
+// so before it was here, it has from a recording that was being made, else from the lesson's judge, of the reports that
+// he holds against the truth.
 
 import { begins } from "../kit/branch";
 import { inChosenUnits } from "../kit/figures_in_text";
@@ -13,9 +14,12 @@ import {
   type JudgedReport,
   type Report,
   ReportCode,
+  type TopicName,
+  type TopicTypes,
   type WindlassLoad,
 } from "../wire/generated";
 import type { EventStore, Logged } from "./events";
+import type { Drawer } from "./recorded_past";
 import { t } from "../kit/language";
 
 /** What was so of a side when a report was made; nothing: it is not known any more. */
@@ -23,6 +27,22 @@ interface Then {
   load?: WindlassLoad;
   anchor?: AnchorState;
   chain?: ChainState; // of the past none is kept
+}
+
+/** Samples of each side, by time. */
+class Course<T extends { side: number; time: number }> {
+  private readonly sides = new Map<number, { sample: T }[]>();
+
+  /** What lies after it, of a branch that was left, has not happened. */
+  add(sample: T): void {
+    const its = this.sides.get(sample.side) ?? [];
+    this.sides.set(sample.side, its);
+    while (its.length > 0 && its.at(-1)!.sample.time > sample.time) its.pop();
+    its.push({ sample });
+  }
+  at(side: number, time: number): T | undefined {
+    return nearest(this.sides.get(side) ?? [], time);
+  }
 }
 
 /** A line of the log that tells of a report. */
@@ -38,12 +58,14 @@ const kOfThen = 1.5; // s between event and sample, at most: of the past there i
 
 export const isReport = ({ code }: { code: string }): boolean => code === "report.made" || code === "report.not_heard";
 
-export class ReportLog {
+export class ReportLog implements Drawer {
   /** Of the branch that runs, as they came. */
   lines: ReportLine[] = [];
   private readonly truths = new Map<ReportLine, Then>();
   private readonly reports = new Map<string, Report>(); // what was said, by its words
   private judged: readonly JudgedReport[] = []; // so far, of this branch
+  private loads = new Course<WindlassLoad>(); // of a past that is being told
+  private anchors = new Course<AnchorState>();
 
   /** replay: of which all branches are shown. changed: is called after each change of the lines. */
   constructor(
@@ -53,7 +75,7 @@ export class ReportLog {
     private readonly changed: () => void,
   ) {
     for (const side of [0, 1]) this.soThen(side, NaN); // wanted from the first on, so that it comes with its past
-    link.on("Report", (report) => this.hear(report));
+    link.on("Report", (report) => this.takeReport(report));
     link.on("Assessment", ({ reports }) => this.judge(reports));
     events.onChange((event) => {
       if (event && !begins(event)) return isReport(event) && this.take(event);
@@ -61,8 +83,30 @@ export class ReportLog {
     });
   }
 
+  forget(): void {
+    this.loads = new Course();
+    this.anchors = new Course();
+  }
+
+  hear<T extends TopicName>(topic: T, sample: TopicTypes[T]): void {
+    if (topic === "WindlassLoad") this.loads.add(sample as WindlassLoad);
+    else if (topic === "AnchorState") this.anchors.add(sample as AnchorState);
+  }
+
+  /** Beside reports of which this desk has not heard what was so. */
+  caughtUp(): void {
+    for (const line of this.lines) {
+      const { side, time } = line.event;
+      if (this.truths.get(line)?.load) continue;
+      this.truths.set(line, { load: this.loads.at(side, time), anchor: this.anchors.at(side, time) });
+      line.was = this.wasOf(line);
+    }
+    this.forget();
+    this.changed();
+  }
+
   /** What its words mean: the log has no more than the words. */
-  private hear(report: Report): void {
+  private takeReport(report: Report): void {
     const words = reportText(report);
     this.reports.set(words, report);
     const meant = this.lines.filter(({ event }) => spoken(event.text) === words);

@@ -84,6 +84,7 @@ export class TalkPanel {
       () => desk.replay,
       () => this.showReports(log.lines),
     );
+    desk.past.add(log);
     desk.onSide((side) => (this.side.value = `${side}`));
   }
 

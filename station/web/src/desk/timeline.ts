@@ -1,5 +1,6 @@
 // The whole exercise on one line: faults, talk, alerts, events, bookmarks; in a replay the scrubber under it.
 
+import { alertTopics } from "../kit/alert_panels";
 import { h, setAttribute, setText, setVariable } from "../kit/dom";
 import { everySecond } from "../kit/page";
 import { colour, onPalette } from "../kit/palette";
@@ -114,7 +115,7 @@ export class Timeline {
       this.tip,
     );
     desk.events.onChange(() => (this.stale = true));
-    for (const topic of ["Alert", "ServerAlert"] as const)
+    for (const topic of alertTopics)
       desk.link.on(topic, (alert, _, written) => {
         if (alert.raised_time > alert.time) return; // raised in an attempt that a reset has undone, rectified since
         const mark = {

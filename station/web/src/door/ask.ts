@@ -1,6 +1,7 @@
 // What pages of the door ask it, and do there. docs/class.md has the list.
 
 import type { RunState } from "../wire/generated";
+import type { Asking } from "../kit/asks_in_vain";
 import { t } from "../kit/language";
 import { clock } from "../kit/units";
 import { doorSaid } from "./door_sentences";
@@ -162,8 +163,8 @@ export interface ClassExercise {
   lost: number | null;
   /** achieved, not_yet, not_shown; empty: not marked to the end. */
   outcome: string;
-  /** s of exercise at which the lesson's bridge, which has asked in vain, gives up and ends it; null: it waits not. */
-  gives_up: number | null;
+  /** What the lesson's bridge waits for in vain; null: it waits for no answer. */
+  asking: Asking | null;
   /** It holds for a question to one of its seats. */
   asked: boolean;
   /** Why it is not there yet, does not stand at its moment, or is not recorded; empty: nothing is wrong. */

@@ -2,6 +2,7 @@
 
 import { h, setText } from "../kit/dom";
 import { holdButton } from "../kit/hold_button";
+import { asksInVain } from "../kit/asks_in_vain";
 import { runStateWords } from "../kit/run_state";
 import { clock } from "../kit/units";
 import { CctvPictures } from "../classroom/cctv";
@@ -319,7 +320,7 @@ class ClassPage {
     tile.state.toggleAttribute("data-lost", each.state !== null && !each.heard);
     const begun = each.points !== null && each.state !== RunState.RUN_READY;
     setText(tile.state, begun ? `${stateOf(each)}, ${marksOf(each)}` : stateOf(each));
-    setText(tile.trouble, doorSaid(each.trouble) || endsBySilence(each));
+    setText(tile.trouble, doorSaid(each.trouble) || asks(each));
     const seats = each.seats.map((seat) => ({ ...seat, doing: doing(each, seat) }));
     const gone = each.parts.filter(({ until }) => until !== null);
     this.fill(tile.seats, [seats.map(({ place, name, doing: it }) => [place, name, it]), gone, this.mover], () => [
@@ -374,14 +375,9 @@ const relieved = (part: Part): string => [part.name, placeWords[part.place], par
 const inAll = (what: string, count: number): string =>
   count === 1 ? t("{what} in 1 exercise", { what }) : t("{what} in {count} exercises", { what, count });
 
-/** "no answer to the bridge: at 1:03 it gives up, and the lesson ends"; empty: it has not had to ask. */
-export function endsBySilence(each: ClassExercise): string {
-  const { gives_up, heard, time } = each;
-  if (gives_up === null || !heard || isOver(each)) return "";
-  return time < gives_up
-    ? t("no answer to the bridge: at {time} it gives up, and the lesson ends", { time: clock(gives_up) })
-    : t("no answer to the bridge: it gives up, and the lesson ends");
-}
+/** That the lesson's bridge asks in vain; empty: it has not had to. */
+const asks = (each: ClassExercise): string =>
+  each.asking && each.heard && !isOver(each) ? asksInVain(each.asking, each.time) : "";
 
 function stateOf(each: ClassExercise): string {
   const { state, time, heard, outcome } = each;

@@ -2,7 +2,7 @@
 
 import { Refused, type Connection } from "../wire/connection";
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState, type SeatEvent } from "../wire/generated";
-import { Before, begins, kBefore, leave } from "../kit/branch";
+import { Before, begins, leave } from "../kit/branch";
 import { h, setText } from "../kit/dom";
 import { isAnswered } from "../kit/order_done";
 import { isOpen, isQuestion, orderMayBeBare, orderUnit, repeatState, written } from "../kit/orders";
@@ -108,7 +108,7 @@ export class Orders {
         order,
         this.reports.filter(({ left }) => !left),
       );
-    const before = asked && !answered && this.before.has(order);
+    const before = asked && !answered ? this.before.said(order) : "";
     const waits = asked && !answered && !before && this.orders()[0]?.number === order.number;
     const newest = waits ? t("answer by a report") : repeatState(order, this.orders());
     const button: HTMLButtonElement | false =
@@ -124,7 +124,7 @@ export class Orders {
       { "data-number": order.number, "data-state": BridgeOrderState[order.state] },
       h("time", {}, clock(order.time)),
       h("span", { class: "spoken", lang: "en" }, written(order)),
-      h("span", { class: "quiet" }, answered ? t("answered") : before ? kBefore : newest),
+      h("span", { class: "quiet" }, answered ? t("answered") : before || newest),
       button,
     );
   }

@@ -3,6 +3,7 @@
 
 import type { Connection } from "../wire/connection";
 import { type Alert, AlertCondition, AlertPriority } from "../wire/generated";
+import { alertTopics, hasPanel } from "./alert_panels";
 import { AlertSound } from "./alert_sound";
 import { h, setText } from "./dom";
 import { isUnheard } from "./live";
@@ -88,8 +89,7 @@ export class AlertPanel {
     });
     // What was heard last is not heard of a link that is lost: the veil says so.
     this.sound = new AlertSound(() => (link.state === "open" ? this.sounding()?.priority : undefined));
-    link.on("Alert", () => this.update());
-    link.on("ServerAlert", () => this.update());
+    for (const topic of alertTopics) link.on(topic, () => this.update());
     link.onState(() => this.update());
     link.onAnotherServer(() => this.update());
     this.update();
@@ -98,9 +98,12 @@ export class AlertPanel {
   /** Those that are not back to normal, the most urgent first. None while no server is heard: nobody owns them. */
   alerts(): Alert[] {
     if (isUnheard(this.link)) return [];
-    return [...this.link.all("Alert"), ...this.link.all("ServerAlert")]
-      .filter((alert) => alert.condition !== AlertCondition.ALERT_NORMAL)
-      .sort(byUrgency);
+    const seat = this.link.hello?.seat;
+    const all = new Map<string, Alert>(); // one that is of two panels once
+    for (const alert of alertTopics.flatMap((topic) => this.link.all(topic)))
+      if (alert.condition !== AlertCondition.ALERT_NORMAL && hasPanel(seat, alert))
+        all.set(`${alert.code}/${alert.side}`, alert);
+    return [...all.values()].sort(byUrgency);
   }
 
   /** Calls back whenever one changes. */

@@ -2,6 +2,7 @@
 // happened, and is struck out wherever it stands.
 
 import { t } from "./language";
+import { clock } from "./units";
 
 /** An event, as far as it tells of a branch. */
 interface Told {
@@ -22,7 +23,7 @@ export function leave(log: Iterable<{ time: number; left: boolean }>, event: Tol
 
 /**
  * Orders that were given before the moment from which the exercise goes on, somewhere else, as in a recording: they are
- * told with it, and what was said to them is not. A question among them waits for nothing any more.
+ * told with it, and what was said to them is not. Of a question among them nobody here knows whether it was answered.
  */
 export class Before {
   private from = -Infinity; // s, of that moment
@@ -42,7 +43,12 @@ export class Before {
   has({ number, time }: { number: number; time: number }): boolean {
     return time <= this.from && !this.given.has(`${number} ${time}`);
   }
-}
 
-/** What is said of a question among them. */
-export const kBefore = t("asked before it was taken up here");
+  /** What is said of a question among them; empty: it is none. */
+  said(question: { number: number; time: number }): string {
+    if (!this.has(question)) return "";
+    return t("asked before {time}, from where this goes on; whether it was answered is not told here", {
+      time: clock(this.from),
+    });
+  }
+}

@@ -89,6 +89,7 @@ export function whySentAway(): string {
   return why;
 }
 const kHold = 100; // ms between two words of a hand on the levers
+const kInTurn = 1e-3; // ms, less than a page needs for a sample: of two that come at once the second came later
 /** A server numbers its runs on from the ms at which it was started: those of another one are far off. */
 const kRunsOfOneServer = 1000;
 /** ms after a server's last status in which it may have written something else: until its next one was due. */
@@ -114,6 +115,7 @@ export class Connection {
   private state_: LinkState = "connecting";
   private retry = 0;
   private opened = 0;
+  private came = 0; // ms of performance.now(), the newest sample
   private readonly advertised = new Map<ChannelName, number>(); // their numbers
   private readonly wanted = new Set<ChannelName>(); // what was listened to or looked at
   private readonly channels = new Map<number, ChannelName>(); // by subscription
@@ -427,7 +429,8 @@ export class Connection {
     const name = `${channel}/${key}`;
     const track = this.kept.get(name) ?? [];
     this.kept.set(name, track);
-    track.push({ sample, at: performance.now(), written });
+    this.came = Math.max(performance.now(), this.came + kInTurn);
+    track.push({ sample, at: this.came, written });
     if (track.length > kKept) track.shift();
     for (const listener of this.listeners.get(channel) ?? []) listener(sample, key, written);
   }

@@ -7,7 +7,7 @@ import { EventStore } from "../../src/desk/events";
 import { ReportLog } from "../../src/desk/report_log";
 import { bareReport, reportText } from "../../src/kit/words";
 import type { Connection } from "../../src/wire/connection";
-import { AnchorPhase, EventSeverity, ReportCode } from "../../src/wire/generated";
+import { AnchorPhase, type AnchorState, EventSeverity, ReportCode, type WindlassLoad } from "../../src/wire/generated";
 
 const kShackle = 27.5; // m
 
@@ -46,6 +46,15 @@ function desk() {
     /** The judge, of what was reported then: with the side of the cable that it was held against. */
     judges: (...all: [time: number, text: string, side?: number][]) =>
       tell("Assessment", { reports: all.map(([time, text, side = 0]) => ({ tick: 10 * time, side, text })) }),
+    /** Truth of then, as a recording has it that was being made when the desk was opened. */
+    recorded: (...all: [time: number, out: number][]) => {
+      log.forget();
+      for (const [time, out] of all) {
+        log.hear("WindlassLoad", { side: 0, time, cable_out: out * kShackle } as WindlassLoad);
+        log.hear("AnchorState", { side: 0, time, phase: AnchorPhase.ANCHOR_ON_BOTTOM } as AnchorState);
+      }
+      log.caughtUp();
+    },
     lines: () => log.lines.map(({ event: { time }, words, was }) => ({ time, words, was })),
   };
 }
@@ -92,6 +101,22 @@ test("a desk that is opened late has what was so from the lesson's judge, whiche
   assert.deepEqual(was(), ["2 s after it was so, at 0:25", "", "was 5.0 out, on the bottom"]);
   late.judges([27, "2 s after it was so, at 0:25"], [53, "2.41 were so"], [131, "4.97 were so"]);
   assert.deepEqual(was(), ["2 s after it was so, at 0:25", "2.41 were so", "was 5.0 out, on the bottom"]);
+});
+
+test("a desk that is opened late has what was so of every report from a recording that was being made", () => {
+  const late = desk();
+  late.stands(131, 5);
+  late.judges([27, "2 s after it was so, at 0:25"]);
+  late.says(inPipe, 2);
+  late.logs(27, letGo);
+  late.logs(53, inPipe, 2);
+  late.logs(131, inPipe, 2);
+  // Back from 55 s to 52 s, a branch that was left.
+  late.recorded([26, 0.2], [27, 0.4], [28, 0.9], [53, 9], [55, 9.5], [52, 2.1], [53, 2.3], [54, 2.6], [130, 4.9]);
+  assert.deepEqual(
+    late.lines().map(({ was }) => was),
+    ["was 0.4 out, on the bottom", "was 2.3 out", "was 5.0 out"],
+  );
 });
 
 test("the same words said twice are two reports, each beside its own truth", () => {

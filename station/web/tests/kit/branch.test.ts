@@ -18,6 +18,9 @@ test("what was given before the moment from which it goes on, and was not heard 
   assert.ok(before.has({ number: 2, time: 150 }));
   assert.ok(!before.has({ number: 3, time: 200 }));
   assert.ok(!before.has({ number: 4, time: 210 }), "its event is yet to come");
+  const said = "asked before 3:10, from where this goes on; whether it was answered is not told here";
+  assert.equal(before.said({ number: 2, time: 150 }), said);
+  assert.equal(before.said({ number: 3, time: 200 }), "");
 });
 
 test("an exercise that goes back within itself has heard its orders", () => {

@@ -7,7 +7,8 @@ const give = (name: string, value: object): void =>
   void Object.defineProperty(globalThis, name, { value, configurable: true });
 give("document", { documentElement: {} });
 give("navigator", { languages: ["de-DE"] });
-const { alertWords, endingSaid, eventText } = await import("../../src/kit/words");
+const { alertWords, allSaid, endingSaid, eventText } = await import("../../src/kit/words");
+const { t } = await import("../../src/kit/language");
 const { doorSaid } = await import("../../src/door/door_sentences");
 
 void test("sentences that the server makes up are read in German", () => {
@@ -50,6 +51,13 @@ void test("an alert names whose the levers were in German, unless it is somebody
     "Wer die Hebel als Nächster bewegt, hat sie.";
   assert.equal(of("its last hand"), `Zuletzt der vorige Bediener ${rest}`);
   assert.equal(of("ben"), `Zuletzt ben ${rest}`);
+});
+
+// MSC.302(87): caution, warning, alarm, emergency alarm.
+void test("no priority of an alert has the name of a lesson's hint", () => {
+  const priorities = allSaid("AlertPriority");
+  assert.deepEqual(priorities, ["Vorsicht", "Warnung", "Alarm", "Notalarm"]);
+  assert.ok(!priorities.includes(t("Hint")) && t("cautions") !== t("Hints"));
 });
 
 void test("why a lesson ended, what the door refuses and what is to be practised are read in German", () => {

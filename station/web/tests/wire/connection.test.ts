@@ -346,3 +346,16 @@ test("a page that was held up tells a lost server from the next one by when thei
   assert.ok(until > 50_150 && until <= 50_300, `${until}`);
   assert.equal(link.latest("Event")?.code, "exercise.taken_up");
 });
+
+test("of samples that come in one moment the second came later", (t) => {
+  const { link, socket } = connect(t);
+  link.on("Event", () => undefined);
+  socket().accept();
+  socket().say({ op: "advertise", channels: [{ id: 1, topic: "/Event" }] });
+  t.mock.method(performance, "now", () => 5000);
+  for (const code of ["first", "second"])
+    socket().onmessage?.({ data: sampleOf(1, 50_000, [0n, 0, 1n, [0], code, [0], 0, code]) });
+  const [first, second] = link.track("Event");
+  assert.deepEqual([first?.sample.code, second?.sample.code], ["first", "second"]);
+  assert.ok(first!.at < second!.at);
+});

@@ -1,0 +1,30 @@
+// What class page and desk say of a bridge that has no answer.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { askingOf, asksInVain } from "../../src/kit/asks_in_vain";
+
+const asks = (time: number, gives_up: number) => ({ code: "assessment.unanswered", time, value: gives_up });
+const answered = { code: "assessment.answered", time: 50, value: 0 };
+const report = { code: "report.made", time: 40, value: 0 };
+
+test("a bridge asks in vain from the first time on, and gives up as it said last", () => {
+  assert.equal(askingOf([]), undefined);
+  assert.deepEqual(askingOf([asks(18, 63)]), { since: 18, gives_up: 63 });
+  assert.deepEqual(askingOf([asks(18, 63), report, asks(33, 78)]), { since: 18, gives_up: 78 });
+});
+
+test("it does so no more once it has its answer, or the lesson is over; and anew when it asks again", () => {
+  assert.equal(askingOf([asks(18, 63), answered]), undefined);
+  assert.equal(askingOf([asks(18, 63), { code: "lesson.over", time: 63, value: 0 }]), undefined);
+  assert.deepEqual(askingOf([asks(18, 63), answered, asks(90, 140)]), { since: 90, gives_up: 140 });
+});
+
+test("it is told for how long, in fives of seconds, and when the lesson ends by it", () => {
+  const asking = { since: 18, gives_up: 63 };
+  const said = (time: number): string => asksInVain(asking, time);
+  assert.match(said(18.2), /no answer for 0:00: at 1:03 it gives up, and the lesson ends$/);
+  assert.match(said(41), /no answer for 0:20: at 1:03/);
+  assert.match(said(63.2), /no answer for 0:45: it gives up, and the lesson ends$/);
+});
