@@ -23,4 +23,14 @@ std::string figure_text(double value, const std::string& unit) {
     return text.data();
 }
 
+std::int64_t points_in_tenths(double points) {
+    constexpr double kBinary = 1e-6; // of a tenth, by which 0.1 * 696 may be short of 69.6
+    return static_cast<std::int64_t>(std::floor(10 * points + kBinary));
+}
+
+std::string points_text(double points) {
+    const auto tenths = points_in_tenths(points);
+    return std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10);
+}
+
 } // namespace windlass

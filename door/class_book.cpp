@@ -1,5 +1,7 @@
 #include "door/class_book.hpp"
 
+#include "common/figure_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -375,7 +377,6 @@ std::string marks_csv(const TrainingClass& of, const std::vector<AttemptJudged>&
             quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
         return quoted + '"';
     };
-    const auto tenths = [](double points) { return fmt::format("{:.1f}", points); };
     std::string csv = "class,lesson,exercise,seat,trainee,points,outcome,recording,part,confirmed_by,"
                       "confirmed_points,confirmed_outcome,note\r\n";
     for (const std::string& exercise : of.exercises)
@@ -383,15 +384,15 @@ std::string marks_csv(const TrainingClass& of, const std::vector<AttemptJudged>&
             const auto found = of.results.find(exercise);
             const Result result = found == of.results.end() ? Result() : found->second;
             const bool marked = each.judged && result.points;
-            csv += fmt::format("{},{},{},{},{},{},{},{},{}", field(of.id), field(of.lesson), field(exercise),
-                               name_of(each.place), field(each.name), marked ? tenths(*result.points) : "",
-                               each.judged ? result.outcome : "not judged", field(result.recording),
-                               part_words(each));
+            csv += fmt::format(
+                "{},{},{},{},{},{},{},{},{}", field(of.id), field(of.lesson), field(exercise),
+                name_of(each.place), field(each.name), marked ? points_text(*result.points) : "",
+                each.judged ? result.outcome : "not judged", field(result.recording), part_words(each));
             const auto word = std::ranges::find(words, result.recording, &AttemptJudged::recording);
             if (each.judged && word != words.end())
-                csv +=
-                    fmt::format(",{},{},{},{}\r\n", field(word->by),
-                                word->points ? tenths(*word->points) : "", word->outcome, field(word->note));
+                csv += fmt::format(",{},{},{},{}\r\n", field(word->by),
+                                   word->points ? points_text(*word->points) : "", word->outcome,
+                                   field(word->note));
             else
                 csv += ",,,,\r\n";
         }

@@ -73,8 +73,8 @@ void print(const lesson::Played& played, bool told) {
     std::cout << fmt::format("{:<22} {:>6} {:>7} {:>5}  {}\n", "criterion", "", "points", "of", "why");
     for (const assess::CriterionResult& one : played.result.criteria)
         std::cout << fmt::format("{:<22} {:>6} {:>7} {:>5}  {}{}\n", one.code, word(one.state),
-                                 points((one.weight * one.milli + 50) / 100), one.weight,
-                                 one.must ? "[must] " : "", one.reason);
+                                 points(one.weight * one.milli / 100), one.weight, one.must ? "[must] " : "",
+                                 one.reason);
     if (played.result.practice)
         std::cout << fmt::format("for practice, hints: {}\n", played.result.hints.size());
     for (const assess::HintResult& one : played.result.hints)

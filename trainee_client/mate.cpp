@@ -89,7 +89,9 @@ std::vector<Step> Mate::advance(const station::Picture& picture) {
     return done_;
 }
 
-/// By the counter; where none is fitted by the painted marks as they pass, and by eye between them.
+/// By the counter; where none is fitted by the painted mark that is nearest the lip, on deck or outboard, and
+/// by eye while none is in sight. Not by the call of a mark: a shackle that comes in is called when it has
+/// come as far as the windlass, and less is out by then.
 void Mate::look(const station::Picture& picture) {
     time_ = picture.time(side_);
     if (looked_ < 0 || time_ < looked_) // he comes to his windlass, or the exercise went back
@@ -103,10 +105,12 @@ void Mate::look(const station::Picture& picture) {
     } else {
         speed_ = view_->cable_speed_seen();
         out_ += step_ * speed_;
-        for (const SeatEvent& event : picture.seat_events.after(marks_read_))
-            if (event.code() == "cable.shackle" && event.side() == side_) out_ = kShackle * event.value();
+        const auto from_lip = [](const CableMark& mark) { return std::abs(mark.outboard()); };
+        if (!view_->marks().empty()) {
+            const CableMark& mark = *std::ranges::min_element(view_->marks(), {}, from_lip);
+            out_ = kShackle * mark.shackle() + mark.outboard();
+        }
     }
-    marks_read_ = picture.seat_events.received;
     for (const CableMark& mark : view_->marks())
         if (!mark.last())
             plain_seen_ = true;

@@ -71,8 +71,7 @@ private:
     void say(ReportOrder report);
 
     const int side_;
-    long heard_ = 0;               ///< number of the newest order that he has heard
-    std::uint64_t marks_read_ = 0; ///< seat events
+    long heard_ = 0; ///< number of the newest order that he has heard
     std::uint64_t run_ = 0;
     Deed deed_;
     std::vector<Question> questions_;

@@ -1,11 +1,11 @@
 #include "instructor_console/history/history.hpp"
 
+#include "common/figure_text.hpp"
 #include "instructor_console/history/schema.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace windlass::history {
@@ -54,20 +54,20 @@ std::string in_words(std::string outcome) {
     return outcome.empty() ? "no outcome" : outcome;
 }
 
-/// The outcome of a score that an assessor has given without one: by the lesson's pass and by what was
-/// computed, and not by the outcome of a score before it.
-std::string outcome_of(double score, std::optional<std::int64_t> pass, const std::string& computed) {
+/// The outcome of a score, in tenths, that an assessor has given without one: by the lesson's pass and by
+/// what was computed, and not by the outcome of a score before it.
+std::string outcome_of(std::int64_t tenths, std::optional<std::int64_t> pass, const std::string& computed) {
     if (computed.empty()) return ""; // nothing was assessed
     const std::string say = "; say --outcome achieved, not_yet or not_shown beside --score";
     if (!pass)
         throw std::invalid_argument("this history does not know the lesson's pass" + say +
                                     ", or put the recording in again");
-    if (score < static_cast<double>(*pass)) return "not_yet";
+    if (tenths < 10 * *pass) return "not_yet";
     if (computed == "achieved") return "achieved";
     throw std::invalid_argument(
-        fmt::format("{:g} points reach the lesson's pass of {}, and {} was computed: points, a must or an "
+        fmt::format("{} points reach the lesson's pass of {}, and {} was computed: points, a must or an "
                     "objective are missed, and a score does not say whether that still stands{}",
-                    score, *pass, in_words(computed), say));
+                    figure_text(0.1 * static_cast<double>(tenths), ""), *pass, in_words(computed), say));
 }
 
 } // namespace
@@ -93,11 +93,10 @@ std::string History::confirm(const std::string& beginning, const Word& word, con
                                         " is for practice, and shows no competence; have the lesson done "
                                         "without hints, and confirm that");
         const auto pass = integer_of(row[1]);
-        const auto tenths =
-            word.score ? std::optional<std::int64_t>(std::llround(*word.score * 10)) : integer_of(row[0]);
+        const auto tenths = word.score ? std::optional(points_in_tenths(*word.score)) : integer_of(row[0]);
         const bool follows = word.outcome.empty() && word.score;
         const std::string outcome = !word.outcome.empty() ? word.outcome
-                                    : word.score          ? outcome_of(*word.score, pass, text_of(row[2]))
+                                    : word.score          ? outcome_of(*tenths, pass, text_of(row[2]))
                                                           : text_of(row[4]); // as it stood
         database_.run("UPDATE attempt SET score_final = ?, outcome_final = ?, confirmed_by = ?, "
                       "confirmed_at = ? WHERE id = ?",
@@ -107,7 +106,7 @@ std::string History::confirm(const std::string& beginning, const Word& word, con
             "'confirmed', ?, ?)",
             {id, word.by, now, or_null(tenths), word.note});
         stands = fmt::format("{}, {}",
-                             tenths ? fmt::format("{:.1f} points", static_cast<double>(*tenths) / 10)
+                             tenths ? points_text(0.1 * static_cast<double>(*tenths)) + " points"
                                     : std::string("no points"),
                              in_words(outcome));
         if (follows && pass) stands += fmt::format(", by the lesson's pass of {}", *pass);

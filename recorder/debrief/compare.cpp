@@ -1,5 +1,6 @@
 #include "recorder/debrief/compare.hpp"
 
+#include "common/figure_text.hpp"
 #include "recorder/debrief/curves.hpp"
 #include "station/format.hpp"
 
@@ -79,7 +80,7 @@ std::vector<Figure> figures_of(const Attempt& attempt) {
     figures.push_back({"duration", "Duration", attempt.duration(), "s", station::clock(attempt.duration())});
     if (attempt.assessment)
         figures.push_back({"score", "Score", attempt.assessment->score(), "points",
-                           fmt::format("{:.1f} of 100", attempt.assessment->score())});
+                           points_text(attempt.assessment->score()) + " of 100"});
     for (const int side : {SIDE_PORT, SIDE_STARBOARD})
         add_side(attempt, side, figures);
     return figures;

@@ -1,5 +1,7 @@
 #include "recorder/debrief/judgement.hpp"
 
+#include "words/words.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,13 @@ const AssessorWord* word_on(const Attempt& attempt, const Criterion& criterion) 
     for (const AssessorWord& word : attempt.words)
         if (word.command.criterion() == criterion.code()) last = &word;
     return last;
+}
+
+/// Why the bridge gave up, in the server's words (server/assess/bridge.cpp), all of which begin with it;
+/// empty: it did not.
+std::string gave_up_words(const Assessment& assessment) {
+    const std::string why = assessment.abort().to_string();
+    return assessment.ending() == LESSON_TIME_UP && why.starts_with("the bridge ") ? why : "";
 }
 
 } // namespace
@@ -62,6 +71,25 @@ std::optional<Reckoning> reckoning_of(const Attempt& attempt, const Judgement& j
     const double left = 100 - all.lost - all.unearned, score = attempt.assessment->score();
     all.halved = std::abs(left - score) > kRounded;
     if (all.halved && std::abs(left / 2 - score) > kRounded) return std::nullopt;
+    return all;
+}
+
+std::vector<std::string> why_halved(const Attempt& attempt) {
+    std::vector<std::string> all;
+    if (!attempt.assessment) return all;
+    const auto& criteria = attempt.assessment->criteria();
+    const auto missed = [](const Criterion& one) { return one.must() && one.counts() && !one.met(); };
+    const auto never_came = [](const Criterion& one) { return one.state() == CRITERION_NOT_IN_PLAY; };
+    if (std::ranges::any_of(criteria, [&](const Criterion& one) { return missed(one) && !never_came(one); }))
+        all.emplace_back("a must was missed");
+    if (std::ranges::any_of(criteria, [&](const Criterion& one) { return one.must() && never_came(one); }))
+        all.emplace_back("a must was not shown");
+    if (std::ranges::any_of(attempt.assessment->objectives(), [](const ObjectiveMark& one) {
+            return one.outcome() == "not_yet" &&
+                   one.score() < std::min<double>(one.pass(), words::limits::objective_fails);
+        }))
+        all.emplace_back("an objective has less than half of its points");
+    if (std::string why = gave_up_words(*attempt.assessment); !why.empty()) all.push_back(std::move(why));
     return all;
 }
 

@@ -1,5 +1,6 @@
 // The plots over time, the track, and the figures of attempts beside each other.
 
+#include "common/figure_text.hpp"
 #include "recorder/debrief/compare.hpp"
 #include "recorder/debrief/curves.hpp"
 #include "recorder/debrief/html.hpp"
@@ -165,9 +166,9 @@ std::string falls_short(const Ghost& ghost) {
     if (ghost.name != kModelGhost || !marks || !marks->finished() || marks->outcome() == "achieved")
         return {};
     return fmt::format(
-        " <strong>They came to {:.1f} of 100 points, {}</strong>: what an instructor broke, blew or "
+        " <strong>They came to {} of 100 points, {}</strong>: what an instructor broke, blew or "
         "said in this attempt came to them, too, and they expect none of it.",
-        marks->score(), escaped(outcome_words(marks->outcome().to_string())));
+        points_text(marks->score()), escaped(outcome_words(marks->outcome().to_string())));
 }
 
 /// Says what the paler lines are, and puts them where they are to be, or out of sight.

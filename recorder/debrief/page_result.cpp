@@ -71,8 +71,8 @@ std::string objectives(const Attempt& attempt) {
     std::vector<std::vector<Cell>> rows;
     for (const Achievement& each : achievements_of(attempt))
         rows.push_back({text_cell(each.text.empty() ? each.id : each.text), text_cell(each.stcw),
-                        figure_cell(fmt::format("{:.1f}", each.score)),
-                        figure_cell(fmt::format("{:g}", each.pass)), text_cell(outcome_words(each.outcome))});
+                        figure_cell(points_text(each.score)), figure_cell(fmt::format("{:g}", each.pass)),
+                        text_cell(outcome_words(each.outcome))});
     if (rows.empty()) return {};
     return "<h3>Objectives</h3>\n" + table("Competence by objective",
                                            {"objective", "STCW", "points of 100", "to pass", "outcome"},
@@ -92,6 +92,14 @@ std::string remedy(const PageContext& page, const std::string& criterion) {
     return {};
 }
 
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& all) {
+    std::string text;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        text += (k == 0 ? "" : k + 1 == all.size() ? " and " : ", ") + all[k];
+    return text;
+}
+
 /// How the score comes of the deductions, where they are not all.
 std::string reckoning(const PageContext& page, const Judgement& judgement) {
     constexpr double kSeen = 0.05; // points
@@ -106,10 +114,8 @@ std::string reckoning(const PageContext& page, const Judgement& judgement) {
             of.unearned, 100 * of.done);
     text += fmt::format(": {:.1f}.", 100 - of.lost - of.unearned);
     if (of.halved)
-        text += fmt::format(
-            " Halved, since a must was missed or not shown, an objective has less than half of its "
-            "points, or the bridge had no answer: {:.1f}.",
-            page.attempt.assessment->score());
+        text += fmt::format(" Halved, since {}: {}.", escaped(listed(why_halved(page.attempt))),
+                            points_text(page.attempt.assessment->score()));
     return text + "</p>\n";
 }
 
@@ -281,18 +287,17 @@ std::string criteria(const Attempt& attempt, const Judgement& judgement) {
         const bool limit = criterion.kind() == CRITERION_LIMIT;
         const bool looked_at = limit && was_looked_at(criterion);
         const std::string unit = criterion.unit().to_string();
-        rows.push_back(
-            {text_cell(title_of(criterion) + (criterion.must() ? " (must)" : "") +
-                       (was_hinted(attempt, criterion) ? " (hinted)" : "")),
-             text_cell(station::words(criterion.kind())),
-             figure_cell(limit ? figure_text(criterion.limit(), unit) : ""),
-             figure_cell(looked_at ? figure_text(criterion.worst(), unit) : ""),
-             figure_cell(looked_at ? fmt::format("{:.1f}", criterion.time_outside()) : ""),
-             figure_cell(criterion.counts()
-                             ? fmt::format("{:.1f} of {:.1f}", mark.points - mark.lost, mark.points)
-                             : ""),
-             figure_cell(criterion.counts() ? fmt::format("{:.0f} %", criterion.counted() / 10.0) : ""),
-             text_cell(station::words(criterion.state(), criterion.kind()))});
+        rows.push_back({text_cell(title_of(criterion) + (criterion.must() ? " (must)" : "") +
+                                  (was_hinted(attempt, criterion) ? " (hinted)" : "")),
+                        text_cell(station::words(criterion.kind())),
+                        figure_cell(limit ? figure_text(criterion.limit(), unit) : ""),
+                        figure_cell(looked_at ? figure_text(criterion.worst(), unit) : ""),
+                        figure_cell(looked_at ? fmt::format("{:.1f}", criterion.time_outside()) : ""),
+                        figure_cell(criterion.counts() ? fmt::format("{:.1f} of {:.1f}",
+                                                                     mark.points - mark.lost, mark.points)
+                                                       : ""),
+                        figure_cell(criterion.counts() ? fmt::format("{} %", criterion.counted() / 10) : ""),
+                        text_cell(station::words(criterion.state(), criterion.kind()))});
     }
     return "<h3>All criteria</h3>\n" +
            table("Criteria, with what they earned of the 100 points; a must is met from 50 % on",
@@ -328,7 +333,7 @@ std::string result_part(const PageContext& page) {
                       "a lesson. What follows are its facts.</p>\n</section>\n";
     const Assessment& assessment = *attempt.assessment;
     const Judgement judgement = judgement_of(attempt);
-    html += fmt::format("<p class=\"score\">{:.1f} of 100 points, {}</p>\n", assessment.score(),
+    html += fmt::format("<p class=\"score\">{} of 100 points, {}</p>\n", points_text(assessment.score()),
                         escaped(outcome_words(assessment.outcome().to_string())));
     if (assessment.practice())
         html += fmt::format("<p>This attempt was {}: it is no test of competence.</p>\n",
@@ -340,8 +345,8 @@ std::string result_part(const PageContext& page) {
                             escaped(restored->text().to_string()),
                             assessment.practice() ? "" : ": it is no test of competence");
     if (assessment.score() != assessment.score_computed())
-        html += fmt::format("<p>Computed: {:.1f} points; the assessor has set marks beside that.</p>\n",
-                            assessment.score_computed());
+        html += fmt::format("<p>Computed: {} points; the assessor has set marks beside that.</p>\n",
+                            points_text(assessment.score_computed()));
     for (const AssessorWord& word : attempt.words)
         if (word.command.criterion().size() == 0 && word.command.verdict() == VERDICT_CONFIRMED)
             html += fmt::format("<p>Confirmed by {}: {}</p>\n", escaped(word.by),
@@ -355,7 +360,7 @@ std::string result_part(const PageContext& page) {
 
 std::string LaterWord::stands() const {
     const std::string what = outcome_words(outcome);
-    return points ? fmt::format("{:.1f} points, {}", *points, what) : what;
+    return points ? fmt::format("{} points, {}", points_text(*points), what) : what;
 }
 
 std::string moments_part(const PageContext& page) {

@@ -116,9 +116,10 @@ bool misses_an_objective(const Lesson& lesson, const State& state, bool with_ove
     });
 }
 
-/// Tenths of a point of 100. A must or an objective that was missed or not shown, or a bridge that was left
-/// without an answer, halves them, so that no such attempt lies above one without. A must that was not shown
-/// earns nothing besides: what a crew never comes to, because it does nothing, would else not count.
+/// Tenths of a point of 100. A must or an objective that was missed or not shown, or a bridge that gave up
+/// for want of an answer that is so, halves them, so that no such attempt lies above one without. A must that
+/// was not shown earns nothing besides: what a crew never comes to, because it does nothing, would else not
+/// count.
 int tenths_of(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
     const bool missed =
         musts(lesson, state, with_overrides, objective) != Outcome::achieved ||
@@ -138,7 +139,7 @@ bool shows_anything(const Lesson& lesson, const State& state) {
     return false;
 }
 
-/// Whether orders or reports show it: what a bridge that gave up had no answer to. nullptr: the whole.
+/// Whether orders or reports show it: what a bridge that gave up had no true answer to. nullptr: the whole.
 bool is_of_words(const Lesson& lesson, const std::string* objective) {
     return objective == nullptr || std::ranges::any_of(lesson.criteria, [&](const Criterion& one) {
                return one.objective == *objective &&

@@ -290,6 +290,21 @@ bool Exercise::brought_up(Side side) const {
     });
 }
 
+bool Exercise::runs_away(Side side) const {
+    const auto& bowers = world_->deck.bowers();
+    return std::any_of(bowers.begin(), bowers.end(), [&](const Bower& bower) {
+        return bower.side == side && bower.event_detector.runs_away();
+    });
+}
+
+bool Exercise::motor_tripped(Side side) const {
+    const auto& bowers = world_->deck.bowers();
+    return std::any_of(bowers.begin(), bowers.end(), [&](const Bower& bower) {
+        const PrimeMoverState& motor = bower.tackle.windlass().state().motor;
+        return bower.side == side && (motor.tripped || motor.overspeed);
+    });
+}
+
 WindlassOrder Exercise::levers(Side side) const {
     WindlassOrder order{.side = side};
     for (const Bower& bower : world_->deck.bowers()) {
@@ -306,6 +321,10 @@ HelmOrder Exercise::helm() const {
 
 bool Exercise::foreign() const {
     return world_->own_ship.foreign();
+}
+
+bool Exercise::foreign_lost() const {
+    return world_->own_ship.foreign_lost();
 }
 
 void Exercise::visit_state(ConstStateVisitor& v) const {

@@ -51,9 +51,17 @@ public:
     HelmOrder helm() const;
     /// Whether another simulator moves the ship.
     bool foreign() const;
+    /// Whether nothing is heard of it any more, so that she lies still.
+    bool foreign_lost() const;
 
     /// Whether the ship is brought up to the anchor of that side; false where there is none.
     bool brought_up(Side side) const;
+    /// Whether the cable of that side runs away, from the event of it until it is no faster than practice
+    /// lets it run; false where there is none.
+    bool runs_away(Side side) const;
+    /// Whether its protection has cut off that side's windlass motor, on overload or overspeed, and nobody
+    /// has reset it; false where there is none.
+    bool motor_tripped(Side side) const;
 
     const ExerciseDef& def() const;
     std::uint64_t tick() const;

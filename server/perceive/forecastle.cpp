@@ -39,14 +39,11 @@ int vibration(const exercise::TackleView& tackle, int brake_noise) {
     return felt;
 }
 
-bool at_the_hawse(const exercise::AnchorView& anchor) {
-    return anchor.phase == AnchorPhase::housed || anchor.phase == AnchorPhase::acockbill;
-}
-
+/// In sight where it is drawn: but for an anchor that is home, what is under water is no more than that.
 AnchorSeen anchor_seen(const exercise::AnchorView& anchor) {
     if (anchor.phase == AnchorPhase::housed) return ANCHOR_SEEN_HOME;
-    if (anchor.phase == AnchorPhase::acockbill) return ANCHOR_SEEN_ACOCKBILL;
     if (!above_water(anchor)) return ANCHOR_SEEN_UNDER_WATER;
+    if (anchor.phase == AnchorPhase::acockbill) return ANCHOR_SEEN_ACOCKBILL;
     return anchor.fouled > 0 ? ANCHOR_SEEN_FOUL : ANCHOR_SEEN_CLEAR;
 }
 
@@ -206,7 +203,8 @@ void perceive_forecastle(const exercise::Snapshot& from, const exercise::TackleV
     to.cable_speed_seen(in_steps(windlass.cable_speed, kSpeedSeenStep));
     to.gypsy_turn(windlass.gypsy_turn);
     to.gypsy_jumping(windlass.gypsy_jumping);
-    to.leads(!at_the_hawse(anchor));
+    look_at_anchor(anchor, aids.underwater, to);
+    to.leads(to.anchor() != ANCHOR_SEEN_HOME && to.anchor() != ANCHOR_SEEN_ACOCKBILL);
     to.lead_clock(to.leads() ? clock_called(tackle.chain.lead_clock) : 0);
     to.top_angle(to.leads() ? in_steps(tackle.chain.top_angle, 10 * kDegree) : 0);
     to.nodes().reserve(kNodesInView); // all that it may ever need, taken the first time
@@ -218,7 +216,6 @@ void perceive_forecastle(const exercise::Snapshot& from, const exercise::TackleV
     to.marks().reserve(kMarksInView);
     to.marks().clear();
     look_at_marks(tackle.chain.marks, aids.underwater, to);
-    look_at_anchor(anchor, aids.underwater, to);
 
     // Ears, nose, feet
     to.lining(lining_noticed(windlass.lining_temperature));

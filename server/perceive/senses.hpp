@@ -79,9 +79,13 @@ inline ApparentWind apparent_wind(const exercise::Snapshot& s) {
     return {speed, round_the_compass(std::atan2(against.x(), against.y()) - s.ship.heading)};
 }
 
-/// Whether the anchor can be seen from deck: its middle is above the water.
+/// Whether the anchor can be seen from deck: its middle is above the water, or it hangs at the hawse and its
+/// shackle is, as at the waterline from a low bow.
 inline bool above_water(const exercise::AnchorView& anchor) {
-    return anchor.phase != exercise::AnchorPhase::lost && anchor.position.z() >= 0;
+    using exercise::AnchorPhase;
+    if (anchor.phase == AnchorPhase::lost) return false;
+    const bool at_the_hawse = anchor.phase == AnchorPhase::housed || anchor.phase == AnchorPhase::acockbill;
+    return anchor.position.z() >= 0 || (at_the_hawse && anchor.shackle.z() >= 0);
 }
 
 } // namespace windlass::perceive

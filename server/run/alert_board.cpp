@@ -42,6 +42,14 @@ void AlertBoard::rectify(const std::string& code, int side, std::uint64_t tick, 
     }
 }
 
+bool AlertBoard::stands(const std::string& code, int side, double time) const {
+    return std::any_of(alerts_.begin(), alerts_.end(), [&](const AlertView& a) {
+        return a.code == code && a.side == side && a.raised_time <= time &&
+               a.condition != AlertCondition::rectified_unacknowledged &&
+               a.condition != AlertCondition::normal;
+    });
+}
+
 void AlertBoard::sound_again(std::uint64_t tick, double time, double now) {
     for (AlertView& alert : alerts_) {
         if (alert.condition != AlertCondition::active_silenced || now < alert.silenced_until) continue;

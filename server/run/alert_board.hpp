@@ -19,6 +19,9 @@ public:
     /// The condition ended: acknowledged alerts go back to normal, others wait for their acknowledgement.
     void rectify(const std::string& code, int side, std::uint64_t tick, double time);
 
+    /// Whether it was raised, at time (s of exercise) or before, and its condition has not ended since.
+    bool stands(const std::string& code, int side, double time) const;
+
     /// Acknowledges or silences at wall time now (s); false when there is no such alert, or nothing to do for
     /// it.
     bool acknowledge(const AlertOrder& order, std::uint64_t tick, double time, double now);

@@ -135,6 +135,7 @@ void Session::set_up() {
     take_checkpoint();
     look_for_the_beginning();
     alerts_.rectify(kStopped, -1, tick_, time_);
+    watch_what_stands();
     log("exercise.ready", fmt::format("{}: {}", def().name, def().title));
     brief();
     keep_events();
@@ -376,11 +377,7 @@ bool Session::tick(bool show) {
     tick_ = snapshot_.tick, time_ = snapshot_.time;
     status_.orders_taken = orders_taken_;
     keep_events();
-    watch_the_circle();
-    watch_for_a_runaway();
-    watch_the_motors();
-    watch_the_foreign_ship();
-    watch_the_model();
+    watch_what_stands();
     assess();
     if (checkpoint_due(tick_)) take_checkpoint();
     if (last) finish("the set duration was run");

@@ -206,6 +206,8 @@ private:
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
                 std::string allowed);
     void keep_events();
+    void watch_what_stands();
+    bool comes_up(words::AlertCode code, int side, bool stands);
     void watch_the_circle();
     void watch_for_a_runaway();
     void watch_the_motors();
@@ -256,9 +258,6 @@ private:
     std::optional<std::vector<OrderView>> others_; // of an attempt for practice whose beginning is known
     bool lesson_over_told_ = false;                // to the seats, of this run
     std::uint64_t orders_taken_ = 0;               // of this run
-    bool outside_watch_circle_ = false;            // an alert says so
-    bool model_in_doubt_ = false;                  // an alert says so
-    std::array<bool, 2> motor_tripped_{};          // port, starboard: an alert says so
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
     double now_ = 0;         // wall time of the orders being carried out

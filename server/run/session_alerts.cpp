@@ -1,12 +1,10 @@
-// Session: alerts that the state of the exercise raises and ends.
+// Session: alerts that the state of the exercise raises and ends. Each goes by what stands in the state and
+// by no event, so that a state which is brought back has its alerts.
 
 #include "server/exercise/watch/model_watch.hpp"
 #include "server/run/session.hpp"
 
 #include <spdlog/fmt/fmt.h>
-
-#include <string_view>
-#include <utility>
 
 namespace windlass::run {
 
@@ -38,63 +36,57 @@ AlertView Session::alert(words::AlertCode code, int side, double value,
             .bridge_panel = row.bridge};
 }
 
+/// Looks at what stands now, in a tick or where a run begins.
+void Session::watch_what_stands() {
+    watch_the_circle();
+    watch_for_a_runaway();
+    watch_the_motors();
+    watch_the_foreign_ship();
+    watch_the_model();
+}
+
+/// Whether an alert is to be raised; ends it where what it tells of does not stand. One that was raised later
+/// than now is of a course that was gone back before, and is told anew.
+bool Session::comes_up(words::AlertCode code, int side, bool stands) {
+    const std::string name(code.row().name);
+    if (!stands) alerts_.rectify(name, side, tick_, time_);
+    return stands && !alerts_.stands(name, side, time_);
+}
+
 /// The bridge's anchor watch: the ship's outline has left the circle, or is back in it.
 void Session::watch_the_circle() {
-    const bool outside = snapshot_.outside_watch_circle;
-    if (outside == outside_watch_circle_) return;
-    outside_watch_circle_ = outside;
-    if (!outside) {
-        alerts_.rectify(kWatchCircle, -1, tick_, time_);
-        return;
-    }
+    if (!comes_up(kWatchCircle, -1, snapshot_.outside_watch_circle)) return;
     const double radius = snapshot_.watch_circle.radius;
     alerts_.raise(alert(kWatchCircle, -1, radius, {fmt::format("{:.0f}", radius)}));
 }
 
 /// A cable that runs away, until it is no faster than practice lets it run.
 void Session::watch_for_a_runaway() {
-    for (const auto& event : snapshot_.events)
-        if (event.code == kRunaway) alerts_.raise(alert(kRunaway, event.side, event.value));
-    for (const auto& tackle : snapshot_.tackle)
-        if (tackle.windlass.cable_speed < words::limits::cable_fast)
-            alerts_.rectify(kRunaway, static_cast<int>(tackle.side), tick_, time_);
+    for (const auto& tackle : snapshot_.tackle) {
+        const int side = static_cast<int>(tackle.side);
+        if (comes_up(kRunaway, side, exercise_.runs_away(tackle.side)))
+            alerts_.raise(alert(kRunaway, side, tackle.windlass.cable_speed));
+    }
 }
 
-/// A windlass motor that its protection has cut off, until the trip lamp is dark: reset, it runs again. That
-/// lamp is lit by an emergency stop and a lost supply, too, which are no trips.
+/// A windlass motor that its protection has cut off, until it is reset. An emergency stop and a lost supply,
+/// which light the trip lamp, too, are no trips.
 void Session::watch_the_motors() {
-    for (const auto& event : snapshot_.events) {
-        const std::string_view code = event.code;
-        if (code != "motor.overload_trip" && code != "motor.overspeed_trip") continue;
-        if (std::exchange(motor_tripped_.at(static_cast<std::size_t>(event.side)), true)) continue;
-        alerts_.raise(alert(kMotorTripped, event.side, 0));
-    }
     for (const auto& tackle : snapshot_.tackle) {
-        bool& tripped = motor_tripped_.at(static_cast<std::size_t>(tackle.side));
-        if (tackle.windlass.tripped || !std::exchange(tripped, false)) continue;
-        alerts_.rectify(kMotorTripped, static_cast<int>(tackle.side), tick_, time_);
+        const int side = static_cast<int>(tackle.side);
+        if (comes_up(kMotorTripped, side, exercise_.motor_tripped(tackle.side)))
+            alerts_.raise(alert(kMotorTripped, side, 0));
     }
 }
 
 /// A foreign ship model that falls silent leaves the ship adrift: somebody must take the helm.
 void Session::watch_the_foreign_ship() {
-    for (const auto& event : snapshot_.events) {
-        const std::string_view code = event.code;
-        if (code == "own_ship.foreign" || code == "own_ship.handed_back")
-            alerts_.rectify(kOwnShipLost, -1, snapshot_.tick, snapshot_.time);
-        if (code == kOwnShipLost) alerts_.raise(alert(kOwnShipLost, -1, 0));
-    }
+    if (comes_up(kOwnShipLost, -1, exercise_.foreign_lost())) alerts_.raise(alert(kOwnShipLost, -1, 0));
 }
 
 /// The model's steps are no longer what they should be: for the instructor, who judges by its figures.
 void Session::watch_the_model() {
-    const bool in_doubt = snapshot_.model_in_doubt;
-    if (in_doubt == model_in_doubt_) return;
-    model_in_doubt_ = in_doubt;
-    if (!in_doubt) {
-        alerts_.rectify(kModelInDoubt, -1, tick_, time_);
-        return;
-    }
+    if (!comes_up(kModelInDoubt, -1, snapshot_.model_in_doubt)) return;
     alerts_.raise(alert(kModelInDoubt, -1, static_cast<double>(snapshot_.model_steps.steps),
                         {exercise::words(snapshot_.model_steps)}));
 }

@@ -29,6 +29,7 @@ void Session::go_on_from(Kept kept) {
     begin_run();
     lever_pickup_.hold();
     alerts_.rectify(kStopped, -1, tick_, time_);
+    watch_what_stands();
     status_.state = RunState::paused;
     if (assessor_.assesses()) new_assessment_ = assessor_.result();
     tell_questions();

@@ -248,7 +248,7 @@ test("a seat is told that the lesson is over, and why, while the exercise runs o
     );
     const marks = page.getByRole("dialog", { name: "what came of it" });
     await eventually("they are shown", () => marks.isVisible());
-    await marks.getByRole("heading", { name: /^Not (yet|shown): \d+ of 100 points, \d+ are needed$/ }).waitFor();
+    await marks.getByRole("heading", { name: /^Not (yet|shown): \d+\.\d of 100 points, \d+ are needed$/ }).waitFor();
     await marks.getByRole("heading", { name: "To work on next time" }).waitFor();
     await passesAxe(page);
     await short.say("reset");

@@ -136,7 +136,7 @@ const std::vector<Room>& rooms() {
         {"recorder",
          {"windlass::recorder"},
          {"recorder/debrief", "recorder/mcap", "recorder/recording", "station"}},
-        {"instructor_console/history", {"windlass::history"}, {"recorder/debrief", "station"}},
+        {"instructor_console/history", {"windlass::history"}, {"common", "recorder/debrief", "station"}},
         {"instructor_console",
          {"windlass::console"},
          {"common", "idl", "instructor_console/history", "lesson", "lesson/whatif", "recorder",

@@ -112,6 +112,12 @@ TEST(Mate, GoesByThePaintedMarksWhereNoCounterIsFitted) {
     EXPECT_NEAR(came.when_told("port anchor is on the bottom"), came.bottom_at, 8);
 }
 
+TEST(Mate, GoesByTheMarksThatComeInWhereNoCounterIsFitted) {
+    const Came came = carried_out("at_anchor_25m", {{5, BRIDGE_ORDER_HEAVE_TO, 4}}, 900, false);
+    EXPECT_NEAR(came.last.windlass.cable_out / kShackle, 4, 0.15)
+        << "a mark is called a quarter of a shackle after it has passed the lip";
+}
+
 TEST(Mate, WalksBackInGearWhereItIsTooDeepToLetGo) {
     const Came came = carried_out("walk_back_60m", {{5, BRIDGE_ORDER_WALK_BACK, 2}}, 700);
     EXPECT_NEAR(came.last.windlass.cable_out / kShackle, 2, 0.25);

@@ -56,6 +56,11 @@ TEST(Events, TheAnchorIsNoticedWhereItIsAboveTheWater) {
         EXPECT_EQ(seen->value(), 0);
         EXPECT_FALSE(perceive_event(event(code, "", 1), weighing())) << "of the side that has none";
     }
+    exercise::Snapshot waterline = weighing();
+    waterline.tackle[0].anchor.phase = exercise::AnchorPhase::acockbill;
+    waterline.tackle[0].anchor.position.z() = -1;
+    waterline.tackle[0].anchor.shackle.z() = 1;
+    EXPECT_TRUE(perceive_event(event("anchor.acockbill"), waterline)) << "its shank is out of it";
     EXPECT_TRUE(perceive_event(event("anchor.let_go"), riding())); // the cable runs
 }
 

@@ -214,6 +214,31 @@ TEST(Forecastle, TheAnchorIsSeenWhileItIsAboveTheWater) {
     EXPECT_EQ(forecastle(s).anchor(), ANCHOR_SEEN_ACOCKBILL);
 }
 
+// Two lengths of its shank below a low bow it is at the hawse, and may be under water.
+TEST(Forecastle, AnAnchorIsAcockbillWhereItIsDrawn) {
+    Snapshot s = weighing();
+    exercise::AnchorView& anchor = s.tackle[0].anchor;
+    anchor.phase = AnchorPhase::acockbill;
+    anchor.position.z() = -1;
+    anchor.shackle.z() = 1; // at the waterline
+    EXPECT_EQ(forecastle(s).anchor(), ANCHOR_SEEN_ACOCKBILL);
+    EXPECT_EQ(forecastle(s).anchor_position().z(), -1);
+    EXPECT_FALSE(forecastle(s).leads());
+
+    anchor.position.z() = -2.1;
+    anchor.shackle.z() = -0.1;
+    EXPECT_EQ(forecastle(s).anchor(), ANCHOR_SEEN_UNDER_WATER);
+    EXPECT_EQ(forecastle(s).anchor_position(), Point3f());
+    EXPECT_TRUE(forecastle(s).leads());
+    EXPECT_EQ(forecastle(s).lead_clock(), 11.5);
+
+    anchor.phase = AnchorPhase::aweigh; // farther down: whether it is clear is seen once it is out
+    anchor.shackle.z() = 1;
+    anchor.position.z() = -1;
+    EXPECT_EQ(forecastle(s).anchor(), ANCHOR_SEEN_UNDER_WATER);
+    EXPECT_EQ(forecastle(s).anchor_position(), Point3f());
+}
+
 TEST(Forecastle, TheLiningIsSmeltInFiveSteps) {
     const auto smelt = [](double kelvin) {
         return with([&](TackleView& t) { t.windlass.lining_temperature = kelvin; });

@@ -1,5 +1,6 @@
 // The debriefing: what the page and the records say is what the recording has.
 
+#include "common/figure_text.hpp"
 #include "recorder/debrief/attempt_reader.hpp"
 #include "recorder/debrief/compare.hpp"
 #include "recorder/debrief/curves.hpp"
@@ -216,6 +217,44 @@ TEST(DebriefTest, MustThatItNeverCameToCostsItsPointsAndWentWrongAtNoMoment) {
     EXPECT_EQ(wrong->criterion->code(), "fall") << "no must, and the first that went wrong";
     for (const Moment& moment : moments_of(attempt))
         EXPECT_THAT(moment.what, Not(AllOf(HasSubstr("not met"), HasSubstr("later"))));
+}
+
+TEST(DebriefTest, WhatHalvedThePointsIsTold) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    Assessment& marks = *attempt.assessment;
+    marks.objectives({test::objective("ready", "achieved", 100), test::objective("late", "not_shown", 0)});
+    marks.score(32.6); // half of 60 and 6 * 60 / 70
+    EXPECT_THAT(why_halved(attempt), IsEmpty());
+    marks.ending(LESSON_TIME_UP);
+    marks.abort("time is up");
+    EXPECT_THAT(why_halved(attempt), IsEmpty());
+    marks.abort("the bridge was told what is not so when it asked \"how much port cable is out?\"");
+    EXPECT_THAT(page_of(attempt, {}),
+                HasSubstr("Halved, since the bridge was told what is not so when it asked "
+                          "&quot;how much port cable is out?&quot;: 32.6."));
+    marks.criteria()[1].must(true);
+    marks.criteria()[3].must(true); // it never came to that
+    marks.objectives({test::objective("ready", "achieved", 100), test::objective("run", "not_yet", 49.9)});
+    marks.abort("the bridge heard nothing");
+    EXPECT_THAT(page_of(attempt, {}),
+                HasSubstr("Halved, since a must was missed, a must was not shown, an objective has less than "
+                          "half of its points and the bridge heard nothing: 32.6."));
+}
+
+TEST(DebriefTest, PointsThatHaveNotPassedDoNotReadAsIfTheyHad) {
+    EXPECT_EQ(points_text(69.96), "69.9");
+    EXPECT_EQ(points_text(0.1 * 696), "69.6");
+    EXPECT_EQ(points_text(70), "70.0");
+    for (int tenths = 0; tenths <= 1000; ++tenths)
+        ASSERT_EQ(points_in_tenths(0.1 * tenths), tenths);
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    attempt.assessment->criteria()[1].must(true);
+    attempt.assessment->criteria()[1].counted(499); // a must is met from 500 on
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr(">49 %<"));
+    EXPECT_EQ((LaterWord{.by = "bo", .points = 69.96, .outcome = "not_yet", .note = {}}.stands()),
+              "69.9 points, not yet");
 }
 
 TEST(DebriefTest, WhatOnlyGuardsIsNotPraised) {

@@ -1,4 +1,4 @@
-// An exercise taken up again: what is kept for it, and levers that do not lurch.
+// An exercise taken up again: what is kept for it, levers that do not lurch, and alerts of what stands in it.
 
 #include "server/exercise/checkpoint.hpp"
 
@@ -38,8 +38,21 @@ std::vector<std::uint8_t> state_of_another(const WindlassOrder& order = {}, cons
     return exercise::write_checkpoint(another);
 }
 
+/// The alert of that code that was told last, on the port side or neither.
+const AlertView* alert(const Session& session, const std::string& code) {
+    const auto told =
+        std::ranges::find(session.alerts().rbegin(), session.alerts().rend(), code, &AlertView::code);
+    return told == session.alerts().rend() ? nullptr : &*told;
+}
+
 StateOrder state_order(std::vector<std::uint8_t> checkpoint) {
     return {.from = "monday at 0:00", .checkpoint = std::move(checkpoint)};
+}
+
+RunOrder restore_to(double time) {
+    RunOrder order = run_order(RunAction::restore);
+    order.restore_time = time;
+    return order;
 }
 
 const WindlassOrder& windlass_order(const Session& session, std::size_t number) {
@@ -242,6 +255,108 @@ TEST_F(SessionRestore, SpeedLeverThatNoHandHoldsAsFoundSpringsToZero) {
     give(taken, run_order(RunAction::start), 20);
     give(taken, Order{WindlassOrder{.brake = 0.5, .speed_lever = 0.75, .clutch_in = true}}, 21, "trainee-1");
     EXPECT_EQ(text_of(taken, "levers.taken"), "trainee-1 has the port windlass") << "from nobody";
+}
+
+TEST_F(SessionRestore, AMotorThatHasTrippedInTheStateIsAnAlertThereToldOnce) {
+    Session session({}, options());
+    const auto lever = [&](double speed) {
+        give(session, Order{WindlassOrder{.speed_lever = speed}}, 0, "anna");
+    };
+    lever(0.5); // out of gear it runs light
+    give(session, Order{exercise::FaultOrder{.code = exercise::FaultCode::drive_trip}});
+    run(session, 300);
+    ASSERT_NE(alert(session, "motor.trip"), nullptr);
+    const double raised = alert(session, "motor.trip")->raised_time;
+    give(session, run_order(RunAction::snapshot));
+    const auto tripped = session.checkpoint()->data;
+    const double there = session.now_time();
+
+    session.clear_news();
+    give(session, restore_to(there));
+    EXPECT_EQ(alert(session, "motor.trip"), nullptr) << "it stands already, and was raised before";
+    lever(0);
+    give(session, run_order(RunAction::start));
+    run(session, 300);
+    ASSERT_NE(alert(session, "motor.trip"), nullptr);
+    EXPECT_EQ(alert(session, "motor.trip")->condition, AlertCondition::rectified_unacknowledged);
+
+    session.clear_news();
+    give(session, restore_to(there));
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts().front().code, "motor.trip");
+    EXPECT_EQ(session.alerts().front().condition, AlertCondition::active_unacknowledged);
+    EXPECT_EQ(session.alerts().front().raised_time, there);
+    session.clear_news();
+    give(session, run_order(RunAction::start));
+    run(session, 300);
+    EXPECT_TRUE(session.alerts().empty()) << "it is told once";
+    give(session, restore_to(0));
+    ASSERT_NE(alert(session, "motor.trip"), nullptr);
+    EXPECT_EQ(alert(session, "motor.trip")->condition, AlertCondition::rectified_unacknowledged)
+        << "paused, where it had not tripped yet";
+    EXPECT_LT(raised, there);
+
+    Session other({}, options());
+    other.clear_news();
+    give(other, state_order(tripped));
+    ASSERT_NE(alert(other, "motor.trip"), nullptr) << "in a state that was brought from elsewhere";
+    SessionOptions lost = options();
+    lost.resumption = Resumption{.checkpoint = tripped, .refused = {}, .set_back = {}};
+    const Session taken_up({}, lost);
+    ASSERT_NE(alert(taken_up, "motor.trip"), nullptr) << "after its server was lost";
+    EXPECT_EQ(alert(taken_up, "motor.trip")->condition, AlertCondition::active_unacknowledged);
+}
+
+TEST_F(SessionRestore, AnAlertRaisedInWhatWasUndoneIsRaisedAnewWhereItStoodBefore) {
+    Session session({}, options());
+    const auto watch = [&](bool kept) { // far from the ship
+        give(session, Order{exercise::WatchCircleOrder{.kept = kept, .x = 5000, .y = 0, .radius = 10}});
+        run(session, 300);
+    };
+    watch(true);
+    give(session, run_order(RunAction::snapshot));
+    const double there = session.now_time();
+    watch(false);
+    watch(true); // another time, which will not have been
+    give(session, AlertOrder{.code = "watch.circle", .side = -1, .acknowledge = true});
+    session.clear_news();
+    give(session, restore_to(there));
+    ASSERT_NE(alert(session, "watch.circle"), nullptr);
+    EXPECT_EQ(alert(session, "watch.circle")->condition, AlertCondition::active_unacknowledged);
+    EXPECT_EQ(alert(session, "watch.circle")->raised_time, there);
+}
+
+TEST_F(SessionRestore, AShipOfWhichNothingIsHeardInTheStateIsAnAlertThereAndNoneWhereTheServerSailsHer) {
+    Session session({}, options());
+    const exercise::ShipView ship = session.snapshot().ship;
+    give(session, Order{exercise::OwnShipSample{ship.position, ship.attitude, ship.velocity,
+                                                physics::Vec3::Zero(), 1}});
+    run(session, 5 * 300);
+    ASSERT_NE(alert(session, "own_ship.lost"), nullptr);
+    give(session, run_order(RunAction::snapshot));
+    Session other({}, options());
+    give(other, state_order(session.checkpoint()->data));
+    ASSERT_NE(alert(other, "own_ship.lost"), nullptr);
+    EXPECT_EQ(alert(other, "own_ship.lost")->condition, AlertCondition::active_unacknowledged);
+    give(other, run_order(RunAction::reset));
+    EXPECT_EQ(alert(other, "own_ship.lost")->condition, AlertCondition::rectified_unacknowledged);
+}
+
+TEST_F(SessionRestore, ACableThatRunsAwayInTheStateIsAnAlertThere) {
+    exercise::ExerciseDef def;
+    def.environment.depth = 200;
+    Session session(def, options());
+    give(session, levers(0), 0, "anna");
+    for (int tick = 0; tick < 60 * def.tick_rate_hz && alert(session, "cable.runaway") == nullptr; ++tick)
+        ASSERT_TRUE(session.tick());
+    ASSERT_NE(alert(session, "cable.runaway"), nullptr);
+    run(session, 30);
+    give(session, run_order(RunAction::snapshot));
+    Session other({}, options());
+    give(other, state_order(session.checkpoint()->data));
+    ASSERT_NE(alert(other, "cable.runaway"), nullptr);
+    EXPECT_EQ(alert(other, "cable.runaway")->side, 0);
+    EXPECT_EQ(alert(other, "cable.runaway")->value, session.snapshot().tackle[0].windlass.cable_speed);
 }
 
 } // namespace

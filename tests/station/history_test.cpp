@@ -239,6 +239,7 @@ TEST_F(HistoryTest, OutcomeFollowsFromAConfirmedScore) {
     const std::string reached = history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "tuesday");
     EXPECT_EQ(history.confirm(reached, say(70), ""), "70.0 points, achieved, by the lesson's pass of 70");
     EXPECT_EQ(history.confirm(reached, say(60), ""), "60.0 points, not yet, by the lesson's pass of 70");
+    EXPECT_EQ(history.confirm(reached, say(69.96), ""), "69.9 points, not yet, by the lesson's pass of 70");
     Database database(file());
     const auto row = database.run("SELECT outcome, outcome_final FROM attempt WHERE id = ?", {reached});
     EXPECT_EQ(text_of(row.at(0)[0]), "achieved") << "what was computed stays beside it";

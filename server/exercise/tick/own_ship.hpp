@@ -40,6 +40,8 @@ public:
     const physics::Vec3& force_at_rest() const { return at_rest_; }
     /// Whether another simulator moves her, as last told.
     bool foreign() const { return foreign_drive_ != physics::ForeignShip::Drive::none; }
+    /// Whether nothing is heard of it any more, so that she lies still, as last told.
+    bool foreign_lost() const { return foreign_drive_ == physics::ForeignShip::Drive::held; }
 
     /// As she will be if nothing but the sea changes, of a state that is brought back.
     physics::ShipState expected(const physics::SeaSurface& sea, double time);

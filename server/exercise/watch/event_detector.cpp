@@ -118,6 +118,10 @@ void EventDetector::watch(double dt, const physics::GroundTackle& tackle,
     }
 }
 
+bool EventDetector::runs_away() const {
+    return has(run_, Run::away);
+}
+
 void EventDetector::call_phase(AnchorPhase now, const physics::GroundTackle& tackle, const EventLog& log) {
     phase_ = now;
     const double used = tackle.anchor().soil_force();

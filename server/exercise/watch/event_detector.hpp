@@ -36,6 +36,8 @@ public:
 
     AnchorPhase phase() const { return phase_; }
     bool brought_up() const { return brought_up_.is(); }
+    /// Its cable runs away, and is still faster than practice lets it run.
+    bool runs_away() const;
 
     /// All that it remembers.
     template <class Visitor, physics::StateOf<EventDetector> Self>

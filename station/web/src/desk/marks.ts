@@ -3,9 +3,9 @@
 import { h, setText } from "../kit/dom";
 import { inChosenUnits } from "../kit/figures_in_text";
 import { showsTopic } from "../kit/live";
-import { clock, measures, figure } from "../kit/units";
+import { clock, measures } from "../kit/units";
 import { practiceSaid } from "../kit/own_marks";
-import { pointsSaid, soFar } from "../kit/points_said";
+import { pointsFigure, pointsSaid, soFar } from "../kit/points_said";
 import { TypedCount, kMostWords } from "../kit/typed_count";
 import { endingSaid, outcomeSaid, saidOf, stateSaid } from "../kit/words";
 import {
@@ -110,7 +110,7 @@ export class MarksPanel {
     const now = finished ? { points: score, lost: 0 } : soFar(assessment);
     const alone = finished ? score_computed : soFar(assessment, true).points;
     const points = pointsSaid(now.points, now.lost, finished ? outcomeSaid(assessment.outcome) : "");
-    const computed = now.points === alone ? "" : ` (${t("computed {score}", { score: figure(alone, 1) })})`;
+    const computed = now.points === alone ? "" : ` (${t("computed {score}", { score: pointsFigure(alone) })})`;
     const early = assessment.ending === LessonEnding.LESSON_ENDED_EARLY; // which is a whole sentence
     const why = endingSaid(assessment.abort);
     const abort = assessment.abort && `, ${early ? why : t("ended: {what}", { what: why })}`;
@@ -125,7 +125,7 @@ export class MarksPanel {
 
   private row(criterion: Criterion): HTMLElement {
     const of = (milli: number): string =>
-      t("{points} of {most}", { points: figure((criterion.weight * milli) / 1000, 1), most: criterion.weight });
+      t("{points} of {most}", { points: pointsFigure((criterion.weight * milli) / 1000), most: criterion.weight });
     const state = stateSaid(criterion);
     const rubric = criterion.kind === CriterionKind.CRITERION_RUBRIC;
     const set = criterion.state === CriterionState.CRITERION_OVERRIDDEN;

@@ -2,7 +2,7 @@
 
 import { capital, outcomeSaid } from "../kit/words";
 import { h, setText } from "../kit/dom";
-import { pointsSaid } from "../kit/points_said";
+import { pointsFigure, pointsSaid } from "../kit/points_said";
 import { clock } from "../kit/units";
 import {
   type Again,
@@ -115,10 +115,11 @@ export function together(all: Next[]): Next[][] {
   return [...groups].sort(([a], [b]) => a.localeCompare(b)).map(([, group]) => group);
 }
 
-/** "bo: 80 points, achieved. The load cell had failed". */
+/** "bo: 80.0 points, achieved. The load cell had failed". */
 export function wordSaid({ by, points, outcome, note }: Word): string {
   const said = outcomeSaid(outcome);
-  const marks = points === null ? said : t("{points} points, {outcome}", { points: points.toFixed(0), outcome: said });
+  const marks =
+    points === null ? said : t("{points} points, {outcome}", { points: pointsFigure(points), outcome: said });
   return [`${by}: ${marks}`, capital(note)].filter(Boolean).join(". ");
 }
 

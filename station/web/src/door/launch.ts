@@ -3,6 +3,7 @@
 
 import { h, setText } from "../kit/dom";
 import { chooseLanguage, language, languages, t } from "../kit/language";
+import { pointsFigure } from "../kit/points_said";
 import { type Launch, type Me, act, ask } from "./ask";
 import { frame } from "./frame";
 
@@ -19,7 +20,7 @@ function preferred(told = ""): void {
 }
 
 function verdictSaid({ verdict, points, counts }: Launch): string {
-  const said = (points ?? 0).toFixed(0);
+  const said = pointsFigure(points ?? 0);
   if (verdict === "passed") return t("Passed, with {points} of 100 points", { points: said });
   if (verdict === "failed") return t("Not passed, with {points} of 100 points", { points: said });
   return counts

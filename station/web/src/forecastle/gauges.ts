@@ -230,7 +230,7 @@ export class Gauges {
       this.motor.show(view.motor_pressure / 1e5, kPressureEnd, "bar", 0);
       return;
     }
-    this.motor.show(view.motor_current, tackle ? scaleEnd(kCurrentAtStall * ratedCurrent(tackle)) : 500, "A", 0);
+    this.motor.show(view.motor_current, tackle ? ammeterEnd(tackle) : 500, "A", 0);
   }
 
   private light(name: Lamp, on: boolean, warns: boolean): void {
@@ -247,9 +247,11 @@ export class Gauges {
 const kPressureEnd = 200; // bar: the face of the gauge; relief valves of low-pressure hydraulics open at 130
 const kCurrentAtStall = 2; // of rated current, that an ammeter's face must show
 
-/** A of a 440 V motor at rated pull and speed: the face of the ammeter, not a figure that is shown. */
-function ratedCurrent(tackle: SceneTackle): number {
-  const kEfficiency = 0.7; // of gear and motor
-  const kPowerFactor = 0.85;
-  return (tackle.rated_pull * tackle.rated_speed) / (kEfficiency * Math.sqrt(3) * 440 * kPowerFactor);
-}
+const kWattPerAmpere = 361; // of chain at rated pull and speed, as the windlasses of config/windlasses have it
+
+/**
+ * A, to which the face of an ammeter goes: as far as a motor draws that stalls. The rated current itself is not told to
+ * a page, and so it has no mark.
+ */
+export const ammeterEnd = ({ rated_pull, rated_speed }: Pick<SceneTackle, "rated_pull" | "rated_speed">): number =>
+  scaleEnd((kCurrentAtStall * rated_pull * rated_speed) / kWattPerAmpere);

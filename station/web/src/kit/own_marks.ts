@@ -16,6 +16,7 @@ import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import type { OwnSeat } from "./instructions";
 import { written } from "./orders";
+import { pointsFigure } from "./points_said";
 import { clock, measures } from "./units";
 import { capital, endingSaid, outcomeSaid, reportRows, saidOf, stateSaid } from "./words";
 import { t } from "./language";
@@ -47,11 +48,11 @@ export function wentWell(criteria: Criterion[]): { did: Criterion[]; kept: Crite
   return { did: well.filter(({ deed }) => deed), kept: well.filter(({ deed }) => !deed) };
 }
 
-/** "Achieved: 87 of 100 points, 70 are needed". */
+/** "Achieved: 87.0 of 100 points, 70 are needed". */
 export function headline({ outcome, score, pass }: Pick<Assessment, "outcome" | "score" | "pass">): string {
   return t("{outcome}: {score} of 100 points, {pass} are needed", {
     outcome: capital(outcomeSaid(outcome)),
-    score: score.toFixed(0),
+    score: pointsFigure(score),
     pass,
   });
 }
@@ -59,6 +60,25 @@ export function headline({ outcome, score, pass }: Pick<Assessment, "outcome" | 
 /** Whether an objective fails the lesson; from half of its points on it does not, though it may not be achieved yet. */
 export const failsLesson = ({ outcome, score, pass }: Pick<ObjectiveMark, "outcome" | "score" | "pass">): boolean =>
   outcome !== "achieved" && score < Math.min(pass, limits.objective_fails.value);
+
+/** What halved the points, by the rule of server/assess/result.cpp; nothing: they were not. */
+export function whyHalved({
+  criteria,
+  objectives,
+  ending,
+  abort,
+}: Pick<Assessment, "criteria" | "objectives" | "ending" | "abort">): string[] {
+  const musts = criteria.filter(({ must }) => must);
+  // All that the server says where the bridge gave up begins so.
+  const gaveUp = ending === LessonEnding.LESSON_TIME_UP && abort.startsWith("the bridge ");
+  return [
+    musts.some((one) => one.counts && !one.met && !neverCame(one)) && t("a must was missed"),
+    musts.some(neverCame) && t("a must was not shown"),
+    objectives.some((one) => one.outcome === "not_yet" && failsLesson(one)) &&
+      t("an objective has less than half of its points"),
+    gaveUp && endingSaid(abort),
+  ].filter((reason) => reason !== false);
+}
 
 /** When the report came against what it told of: "2 s early", "8 s after it", "at once". */
 export function delayWords(delay: number): string {
@@ -298,15 +318,14 @@ export function orderDone({ state, time }: Pick<BridgeOrder, "state" | "time">, 
 const spaced = (code: string): string => code.replace(/[_-]/g, " ");
 
 /** Why the points of the list do not add up to those of the whole; nothing where they do. */
-function reckoning({ criteria, objectives, abort }: Assessment): HTMLElement | false {
-  const { kept } = wentWell(criteria);
-  const missed = toWorkOn(criteria);
+function reckoning(assessment: Assessment): HTMLElement | false {
+  const { kept } = wentWell(assessment.criteria);
+  const why = whyHalved(assessment);
   const rules = [
     kept.length > 0 &&
-      missed.length > 0 &&
+      toWorkOn(assessment.criteria).length > 0 &&
       t("What was kept counts in the measure in which the rest was done, and the points in play make up 100."),
-    (abort !== "" || missed.some(({ must }) => must) || objectives.some(failsLesson)) &&
-      t("A missed must, an objective below half of its points, or a bridge without an answer halves the whole, once."),
+    why.length > 0 && t("The whole is halved, once: {why}.", { why: why.join("; ") }),
   ].filter((rule) => rule !== false);
   return rules.length > 0 && h("p", { class: "quiet" }, rules.join(" "));
 }
@@ -319,7 +338,7 @@ function section(title: string, rows: HTMLElement[]): HTMLElement | false {
 /** Its reason begins with the moment at which it went wrong. */
 function criterionRow(criterion: Criterion): HTMLElement {
   const points = t("{points} of {most}", {
-    points: ((criterion.weight * criterion.counted) / 1000).toFixed(0),
+    points: pointsFigure((criterion.weight * criterion.counted) / 1000),
     most: criterion.weight,
   });
   return h(

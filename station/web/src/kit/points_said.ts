@@ -1,4 +1,4 @@
-// The points of a lesson in words, the same at the desk and on the page of a class.
+// The points of a lesson in words, the same wherever they are read.
 
 import { type Assessment, CriterionKind, CriterionState } from "../wire/generated";
 import { t } from "./language";
@@ -23,9 +23,17 @@ export function soFar({ criteria }: Pick<Assessment, "criteria">, computed = fal
   return whole > 0 ? { points: (100 * kept) / whole, lost: (100 * lost) / whole } : { points: 0, lost: 0 };
 }
 
+const kBinary = 1e-6; // of a tenth, by which 10 * 69.6 may be short of 696
+
+/**
+ * "69.9": in tenths, in which a lesson decides, and rounded down: what has not reached the pass does not read as if it
+ * had (points_text of common/figure_text.hpp is the same).
+ */
+export const pointsFigure = (points: number): string => figure(Math.floor(10 * points + kBinary) / 10, 1);
+
 /** "28.0 of 100 points, 12.5 lost so far"; once it is over "28.0 of 100 points, not yet". outcome: in words. */
 export function pointsSaid(points: number, lost: number, outcome: string): string {
-  const all = figure(points, 1);
+  const all = pointsFigure(points);
   return outcome
     ? t("{points} of 100 points, {outcome}", { points: all, outcome })
     : t("{points} of 100 points, {lost} lost so far", { points: all, lost: figure(lost, 1) });

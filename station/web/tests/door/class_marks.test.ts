@@ -45,11 +45,11 @@ test("a class that goes on says before what it begins, and what was lost by that
 
 test("an assessor's word stands with who gave it, and without points where nothing was assessed", () => {
   const word = { recording: "mon-1-17", points: 80, outcome: "not_yet", by: "bo", note: "" };
-  assert.equal(wordSaid(word), "bo: 80 points, not yet");
+  assert.equal(wordSaid(word), "bo: 80.0 points, not yet");
   assert.equal(wordSaid({ ...word, points: null, outcome: "achieved" }), "bo: achieved");
   assert.equal(
     wordSaid({ ...word, note: "the load cell had failed" }),
-    "bo: 80 points, not yet. The load cell had failed",
+    "bo: 80.0 points, not yet. The load cell had failed",
   );
 });
 

@@ -22,6 +22,7 @@ const kNoWords = new Set(
     ["by hand signal", "zero one two three four five six seven eight nine ten eleven twelve"],
     ["other page", "cone up", "cone down"],
     ["the order"], // of a repeat, which is English
+    ["the bridge "], // with which the judge's reasons begin
   ].flat(),
 );
 

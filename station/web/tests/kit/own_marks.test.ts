@@ -13,9 +13,16 @@ import {
   toWorkOn,
   wentWell,
   whose,
+  whyHalved,
 } from "../../src/kit/own_marks";
 import { root } from "../../tools/web.mjs";
-import { BridgeOrderState, type Criterion, CriterionKind, CriterionState } from "../../src/wire/generated";
+import {
+  BridgeOrderState,
+  type Criterion,
+  CriterionKind,
+  CriterionState,
+  LessonEnding,
+} from "../../src/wire/generated";
 
 const criterion = (code: string, more: Partial<Criterion>): Criterion => ({
   code,
@@ -75,7 +82,27 @@ test("what only was not broken is not told as done", () => {
 });
 
 test("the outcome is the server's, beside what is needed", () => {
-  assert.equal(headline({ outcome: "not_yet", score: 49.6, pass: 70 }), "Not yet: 50 of 100 points, 70 are needed");
+  assert.equal(headline({ outcome: "not_yet", score: 69.6, pass: 70 }), "Not yet: 69.6 of 100 points, 70 are needed");
+});
+
+test("what halved the points is told, and a bridge that was lied to is not one without an answer", () => {
+  const { LESSON_TIME_UP: ended } = LessonEnding;
+  const halved = { criteria: [], objectives: [], ending: ended, abort: "time is up" };
+  assert.deepEqual(whyHalved(halved), []);
+  const lied = 'the bridge was told what is not so when it asked "how much port cable is out?"';
+  assert.deepEqual(whyHalved({ ...halved, abort: lied }), [lied]);
+  assert.deepEqual(whyHalved({ ...halved, ending: LessonEnding.LESSON_BROKEN_OFF, abort: "cable.lost" }), []);
+  const objective = { id: "", text: "", stcw: "", score: 49.9, pass: 70, outcome: "not_yet" };
+  const criteria = [
+    criterion("missed", { must: true }),
+    criterion("never came", { must: true, counts: false, state: CriterionState.CRITERION_NOT_IN_PLAY }),
+    criterion("excused", { must: true, counts: false, state: CriterionState.CRITERION_OVERRIDDEN }),
+  ];
+  assert.deepEqual(whyHalved({ ...halved, criteria, objectives: [objective] }), [
+    "a must was missed",
+    "a must was not shown",
+    "an objective has less than half of its points",
+  ]);
 });
 
 test("an objective that falls short of what it needs fails the lesson below half of its points", () => {

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { pointsSaid, soFar } from "../../src/kit/points_said";
+import { pointsFigure, pointsSaid, soFar } from "../../src/kit/points_said";
 import { type Criterion, CriterionKind, CriterionState } from "../../src/wire/generated";
 
 const criterion = (weight: number, more: Partial<Criterion> = {}): Criterion =>
@@ -40,4 +40,6 @@ test("an assessor's word counts as soon as it is said, beside what was computed"
 test("points are told of 100, with what is lost while it runs and with the outcome once it is over", () => {
   assert.equal(pointsSaid(28, 12.46, ""), "28.0 of 100 points, 12.5 lost so far");
   assert.equal(pointsSaid(69.6, 0, "not yet"), "69.6 of 100 points, not yet");
+  assert.equal(pointsSaid(69.96, 0, "not yet"), "69.9 of 100 points, not yet", "what an assessor gave finer");
+  for (let tenths = 0; tenths <= 1000; ++tenths) assert.equal(pointsFigure(0.1 * tenths), (tenths / 10).toFixed(1));
 });

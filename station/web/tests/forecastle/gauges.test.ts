@@ -1,0 +1,24 @@
+// Faces of the stand's gauges.
+
+import assert from "node:assert/strict";
+import { readFile, readdir } from "node:fs/promises";
+import { join } from "node:path";
+import { test } from "node:test";
+import schema from "../../../../config/schema/windlass.schema.json";
+import { ammeterEnd } from "../../src/forecastle/gauges";
+import { root } from "../../tools/web.mjs";
+
+const plate = ["rated_pull", "rated_speed", "stall_pull", "motor_current_rated"] as const;
+
+test("an ammeter's face has the current at which the motor of each windlass stalls, and little more", async () => {
+  const folder = join(root, "config/windlasses");
+  const files = (await readdir(folder)).filter((file) => file.endsWith(".json"));
+  for (const file of files) {
+    const own = JSON.parse(await readFile(join(folder, file), "utf8")) as Record<string, unknown>;
+    if (own.drive === "hydraulic") continue;
+    const of = (name: (typeof plate)[number]): number => (own[name] ?? schema.properties[name].default) as number;
+    const atStall = (of("stall_pull") / of("rated_pull")) * of("motor_current_rated");
+    const end = ammeterEnd({ rated_pull: of("rated_pull"), rated_speed: of("rated_speed") });
+    assert.ok(end >= atStall && end < 1.5 * atStall, `${file}: ${end} A, at stall ${atStall} A`);
+  }
+});
