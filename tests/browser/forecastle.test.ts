@@ -434,6 +434,20 @@ describe("the bridge", () => {
     await eventually("reported", () => log("cable is clear of the anchor").isVisible());
     await eventually("what was chosen from is shut", async () => (await page.getByRole("dialog").count()) === 0);
   });
+
+  test("a question offers what answers it, and stands out until it is answered", async () => {
+    const dialog = page.getByRole("dialog", { name: "is she brought up?" });
+    await rig.say("order", "brought-up", "--side", "port");
+    const asked = order("is she brought up?");
+    await asked.getByRole("button", { name: /^answer/ }).click();
+    for (const answer of ["Brought up", "She is dragging", "slack", "growing", "tight", "12 o'clock"])
+      assert.ok(await dialog.getByRole("button", { name: answer, exact: true }).isVisible(), answer);
+    assert.equal(await asked.getAttribute("data-stands"), "");
+    await dialog.getByRole("button", { name: "tight", exact: true }).click();
+    await eventually("it is answered", () => asked.getByText("answered").isVisible());
+    assert.equal(await asked.getAttribute("data-stands"), null);
+    assert.equal(await asked.getByRole("button").count(), 0);
+  });
 });
 
 test("an alert sounds, is acknowledged by F2, and stays until it is rectified", async () => {

@@ -118,6 +118,40 @@ test("an order that waits on the forecastle is in sight with its state and its b
   await closePage(page);
 });
 
+test("the brake's wheel keeps size and place whatever is said of it", async () => {
+  const page = await open("forecastle");
+  const close = page.getByRole("button", { name: "Schließen" });
+  await eventually("its briefing has opened by itself", () => close.isVisible());
+  await close.click();
+  await page.setViewportSize({ width: 1024, height: 768 });
+  // The longest that either says, put there at once: between two pictures nobody writes over it.
+  const boxes = (wheel: string, speed: string) =>
+    page.evaluate(
+      ([turns, lever]) => {
+        const line = document.querySelector(".brake .figures span");
+        const words = document.querySelector(".speed .figures");
+        const before = [line.textContent, words.textContent];
+        [line.textContent, words.textContent] = [turns, lever];
+        document.querySelector(".speed").toggleAttribute("data-latched"); // bold
+        const found = [".brake .wheel", ".speed .slot"].map((part) => {
+          const { x, y, width, height } = document.querySelector(part).getBoundingClientRect();
+          return { x, y, width, height };
+        });
+        const wide = line.scrollWidth > line.clientWidth;
+        [line.textContent, words.textContent] = before;
+        document.querySelector(".speed").toggleAttribute("data-latched");
+        return { found, wide };
+      },
+      [wheel, speed],
+    );
+  const short = await boxes("fest", "0 %");
+  for (const turns of ["von 5 Umdrehungen zu", "Soll 4 Umdr. 359°"])
+    assert.deepEqual(await boxes(turns, "fieren 100 %, eingerastet"), short, turns);
+  assert.equal(short.wide, false);
+  hadNoProblems(page);
+  await closePage(page);
+});
+
 test("another language is chosen among the units, and not out of a hand that is on levers", async () => {
   const page = await open("forecastle");
   const language = () => page.locator("html").getAttribute("lang");

@@ -220,6 +220,8 @@ test("one finger heaves while another turns the brake, and each lets go of its o
     "the brake is a tenth of a turn off, and she heaves",
     ({ port: { windlass } }) => Math.abs(windlass.brake_position - 0.98) < 0.004 && windlass.speed_lever > 0.99,
   );
+  assert.deepEqual(await boxOf(page, "brake hand-wheel"), rim, "what is said of it leaves it its size and place");
+  assert.deepEqual(await boxOf(page, "speed lever"), lever);
   await hand.lift(2);
   await hand.move(1, x, lever.y + lever.height - 5);
   await rig.truly("it lowers", ({ port }) => port.windlass.speed_lever < -0.99);

@@ -149,7 +149,8 @@ export class MarksPanel {
           ? of(criterion.counted)
           : t("{points} of {most}", { points: "\u2013", most: criterion.weight }),
       ),
-      h("span", { class: "quiet" }, `${told}${about ? `: ${inChosenUnits(about)}` : ""}`),
+      h("span", { class: "quiet" }, told),
+      about && h("span", { class: "quiet", lang: "en" }, inChosenUnits(about)), // the judge speaks English
       word && h("span", { class: "word" }, wordWords(word)),
     );
   }

@@ -4,7 +4,7 @@ import { Refused, type Connection } from "../wire/connection";
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState, type SeatEvent } from "../wire/generated";
 import { Before, begins, leave } from "../kit/branch";
 import { h, setText } from "../kit/dom";
-import { isAnswered } from "../kit/order_done";
+import { isAnswered, isInForce } from "../kit/order_done";
 import { isOpen, isQuestion, orderMayBeBare, orderUnit, repeatState, written } from "../kit/orders";
 import { clock, unitWritten } from "../kit/units";
 import { figureField, figurePad } from "./pad";
@@ -34,9 +34,11 @@ export class Orders {
   private reports: Made[] = []; // by which questions are answered
   private readonly before = new Before();
 
+  /** answer: offers what answers a question; tell: for what became of a repeat. */
   constructor(
     private readonly link: Connection,
     private readonly popover: Popover,
+    private readonly answer: (question: BridgeOrder, from: HTMLElement) => void,
     private readonly tell: (text: string) => void,
   ) {
     this.element = h(
@@ -73,10 +75,13 @@ export class Orders {
 
   private hear(event: SeatEvent): void {
     this.before.hear(event);
-    if (begins(event)) leave(this.reports, event);
-    else if (event.code === "report.made") this.reports = [...this.reports, { ...event, left: false }].slice(-kReports);
-    else return;
-    if (this.orders().some((order) => isOpen(order) && isQuestion(order))) this.update();
+    if (begins(event)) {
+      leave(this.reports, event);
+      this.update();
+    } else if (event.code === "report.made") {
+      this.reports = [...this.reports, { ...event, left: false }].slice(-kReports);
+      if (this.list.querySelector("[data-stands]")) this.update(); // which it may end
+    }
   }
 
   private orders(): BridgeOrder[] {
@@ -102,15 +107,12 @@ export class Orders {
   private row(order: BridgeOrder): HTMLElement {
     const open = isToRepeat(order);
     const asked = isOpen(order) && isQuestion(order);
-    const answered =
-      asked &&
-      isAnswered(
-        order,
-        this.reports.filter(({ left }) => !left),
-      );
+    const reports = this.reports.filter(({ left }) => !left);
+    const answered = asked && isAnswered(order, reports);
     const before = asked && !answered ? this.before.said(order) : "";
     const waits = asked && !answered && !before && this.orders()[0]?.number === order.number;
     const newest = waits ? t("answer by a report") : repeatState(order, this.orders());
+    const stands = open || (!before && isInForce(order, this.orders(), reports));
     const button: HTMLButtonElement | false =
       open &&
       h(
@@ -119,13 +121,25 @@ export class Orders {
         t("Repeat"),
       );
     if (button) button.addEventListener("click", () => this.ask(order, button));
+    const answers: HTMLButtonElement | false =
+      waits &&
+      h(
+        "button",
+        { class: "primary", "aria-haspopup": "dialog", "aria-label": t("answer: {order}", { order: written(order) }) },
+        t("Answer"),
+      );
+    if (answers) answers.addEventListener("click", () => this.answer(order, answers));
     return h(
       "li",
-      { "data-number": order.number, "data-state": BridgeOrderState[order.state] },
+      {
+        "data-number": order.number,
+        "data-state": BridgeOrderState[order.state],
+        "data-stands": stands ? "" : undefined,
+      },
       h("time", {}, clock(order.time)),
       h("span", { class: "spoken", lang: "en" }, written(order)),
       h("span", { class: "quiet" }, answered ? t("answered") : before || newest),
-      button,
+      button || answers,
     );
   }
 

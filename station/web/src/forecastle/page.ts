@@ -71,8 +71,8 @@ export function openForecastle(): void {
   const tell = (text: string): void => stand.tell(text);
   const men = new Men(link, () => stand.side, popover, tell);
   stand.head.append(men.button);
-  const orders = new Orders(link, popover, tell);
   const reports = new Reports(link, new Work(link), () => stand.side, tell);
+  const orders = new Orders(link, popover, (question, from) => reports.answer(question, from), tell);
   const sounds = new Sounds(page, stand, orders, () => scene.ears());
   const speech = new Speech();
   orders.onOrder((order) => order.text !== kByHand && isFresh(order.time) && speech.say(orderAloud(order)));

@@ -2,8 +2,10 @@
 // Nothing is filled in: a report says what the trainee touched, and no more.
 
 import { Refused, type Connection } from "../wire/connection";
-import { BridgeOrderCode, CableWeight, Growing, ReportCode, StayGiven } from "../wire/generated";
+import { type BridgeOrder, BridgeOrderCode, CableWeight, Growing, ReportCode, StayGiven } from "../wire/generated";
 import { h, setAttribute, setText, svg } from "../kit/dom";
+import { reportsOf } from "../kit/order_done";
+import { written } from "../kit/orders";
 import { type PadLeaf, allSaid, capital, orderRows, padLeaves, placeOf, reportRows, saidOf } from "../kit/words";
 import { figurePad } from "./pad";
 import { Popover } from "../kit/popover";
@@ -30,12 +32,13 @@ interface Choice {
   unit: string | undefined;
 }
 /** The reports of a leaf of the pad, in the order of the drill. */
-const onLeaf = ({ reports }: PadLeaf): Choice[] =>
-  reports.flatMap((name) => {
-    const code: ReportCode = placeOf("ReportCode", name);
-    const { label, unit } = reportRows[code] ?? {};
-    return label ? [{ code, label, unit }] : [];
-  });
+const onLeaf = ({ reports }: PadLeaf): Choice[] => reports.flatMap((name) => choiceOf(placeOf("ReportCode", name)));
+function choiceOf(code: ReportCode): Choice[] {
+  const { label, unit } = reportRows[code] ?? {};
+  return label ? [{ code, label, unit }] : [];
+}
+/** Reports that are said by a touch of what they tell. */
+const kOfChoices = new Set([ReportCode.REPORT_LEAD, ReportCode.REPORT_GROWING, ReportCode.REPORT_WEIGHT]);
 const labelOf = (code: ReportCode): string => reportRows[code]!.label!;
 
 export class Reports {
@@ -111,14 +114,37 @@ export class Reports {
     this.pad.querySelector("button")?.focus();
   }
 
-  /** Sends a report of the windlass in hand; what is refused is told. */
-  say(code: ReportCode, said: Said = {}): void {
+  /** Sends a report of the windlass in hand, or of that side; what is refused is told. */
+  say(code: ReportCode, said: Said = {}, side = this.side()): void {
     this.popover.close();
     this.link
-      .order("Report", { code: ReportCode[code], side: this.side(), ...said })
+      .order("Report", { code: ReportCode[code], side, ...said })
       .catch((why: unknown) =>
         this.tell(why instanceof Refused ? t("report refused: {why}", { why: why.message }) : `${why}`),
       );
+  }
+
+  /** Offers what the bridge takes for an answer to its question, and no other reports. from: the question's button. */
+  answer(question: BridgeOrder, from: HTMLElement): void {
+    const side = question.side < 0 ? this.side() : question.side;
+    const codes = reportsOf[question.code] ?? [];
+    const plain: HTMLElement[] = codes.flatMap(choiceOf).flatMap(({ code, label, unit }) => {
+      if (kOfChoices.has(code)) return [];
+      if (!unit) return [h("button", { onclick: () => this.say(code, {}, side) }, capital(label))];
+      const pad = (): void => {
+        this.popover.close(); // else the same button would only shut it
+        this.popover.show(`shackles ${label}`, from, this.counts(code, side));
+      };
+      return [h("button", { "aria-haspopup": "dialog", onclick: pad }, `n ${label}`)];
+    });
+    this.popover.show(
+      written(question),
+      from,
+      ...(plain.length > 0 ? [h("div", { class: "choices" }, ...plain)] : []),
+      ...(codes.includes(ReportCode.REPORT_GROWING) ? [this.growing(side)] : []),
+      ...(codes.includes(ReportCode.REPORT_WEIGHT) ? [this.weights(side)] : []),
+      ...(codes.includes(ReportCode.REPORT_LEAD) ? [this.leads(side)] : []),
+    );
   }
 
   /** A button for each report of a leaf: it says it, or asks first for what is to be said. */
@@ -131,12 +157,7 @@ export class Reports {
         return this.opens(
           capital(`${label}, ${labelOf(ReportCode.REPORT_WEIGHT)}`),
           t("how the cable grows, or what weight is on it"),
-          () => [
-            this.choices("Growing", (growing) => this.say(ReportCode.REPORT_GROWING, { growing: Growing[growing] })),
-            this.choices("CableWeight", (weight) =>
-              this.say(ReportCode.REPORT_WEIGHT, { weight: CableWeight[weight] }),
-            ),
-          ],
+          () => [this.growing(), this.weights()],
         );
       if (code === ReportCode.REPORT_UNSAFE)
         return this.opens(capital(label), t("unsafe: what you propose"), () => [this.proposals()]);
@@ -160,8 +181,20 @@ export class Reports {
     return button;
   }
 
-  private counts(code: ReportCode): HTMLElement {
-    return figurePad(t("how many"), (value) => this.say(code, { value }));
+  private counts(code: ReportCode, side?: number): HTMLElement {
+    return figurePad(t("how many"), (value) => this.say(code, { value }, side));
+  }
+
+  private growing(side?: number): HTMLElement {
+    return this.choices("Growing", (growing) =>
+      this.say(ReportCode.REPORT_GROWING, { growing: Growing[growing] }, side),
+    );
+  }
+
+  private weights(side?: number): HTMLElement {
+    return this.choices("CableWeight", (weight) =>
+      this.say(ReportCode.REPORT_WEIGHT, { weight: CableWeight[weight] }, side),
+    );
   }
 
   private choices(of: "Growing" | "CableWeight", chosen: (choice: number) => void): HTMLElement {
@@ -190,7 +223,7 @@ export class Reports {
   }
 
   /** A clock face and the stay: it goes out when both are touched, up and down without an hour. */
-  private leads(): HTMLElement {
+  private leads(side?: number): HTMLElement {
     let hour = 0;
     let stay = StayGiven.STAY_NOT_GIVEN;
     const marks: SVGElement[] = [];
@@ -203,7 +236,7 @@ export class Reports {
       if (stay === StayGiven.STAY_NOT_GIVEN) setText(hint, t("Not sent yet: touch the stay."));
       else if (!hour && stay !== StayGiven.STAY_GIVEN_UP_AND_DOWN)
         setText(hint, t("Not sent yet: touch the hour to which it leads."));
-      else this.say(ReportCode.REPORT_LEAD, { lead: hour, stay: StayGiven[stay] });
+      else this.say(ReportCode.REPORT_LEAD, { lead: hour, stay: StayGiven[stay] }, side);
     };
     const touch = (n: number): void => {
       hour = n;

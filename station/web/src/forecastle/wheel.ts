@@ -79,13 +79,14 @@ export class HandWheel {
     const angle = (share: number): string => `rotate(${(share * kWheelTurns * 360).toFixed(1)})`;
     setAttribute(this.rim, "transform", angle(set));
     setAttribute(this.pointer, "transform", angle(real));
-    const state =
+    const stands =
       real > 0.995 ? t("hard on") : real < 0.005 ? t("open") : t("of {turns} turns on", { turns: kWheelTurns });
-    const moving = Math.abs(set - real) > 0.01 ? t(", set {turns}", { turns: turnsText(set) }) : "";
+    // One line, of one length: what stands beside the wheel must not push it from under the finger.
+    const state = Math.abs(set - real) > 0.01 ? t("set {turns}", { turns: turnsText(set) }) : stands;
     setText(this.turns, turnsText(real));
-    setText(this.state, `${state}${moving}`);
+    setText(this.state, state);
     setAttribute(this.wheel, "aria-valuenow", (100 * set).toFixed(1));
-    setAttribute(this.wheel, "aria-valuetext", `${t("brake|hand-wheel")} ${turnsText(real)}, ${state}${moving}`);
+    setAttribute(this.wheel, "aria-valuetext", `${t("brake|hand-wheel")} ${turnsText(real)}, ${state}`);
     setAttribute(this.wheel, "aria-disabled", movable ? undefined : "true");
     for (const button of this.buttons) button.disabled = !movable;
   }

@@ -15,7 +15,7 @@ type Order = Pick<BridgeOrder, "number" | "code" | "side" | "value" | "time" | "
 
 const kShackles = [R.REPORT_SHACKLES_ON_DECK, R.REPORT_SHACKLES_IN_WATER, R.REPORT_SHACKLES_IN_PIPE];
 /** By which report a question is answered, or an order carried out; of a length, with its figure. */
-const reportsOf: Partial<Record<BridgeOrderCode, readonly ReportCode[]>> = {
+export const reportsOf: Partial<Record<BridgeOrderCode, readonly ReportCode[]>> = {
   [O.BRIDGE_ORDER_HOW_MUCH]: kShackles,
   [O.BRIDGE_ORDER_HOW_LEADING]: [R.REPORT_LEAD, R.REPORT_SHORT_STAY, R.REPORT_UP_AND_DOWN],
   [O.BRIDGE_ORDER_HOW_GROWING]: [R.REPORT_GROWING],
@@ -119,4 +119,15 @@ export function canBeCancelled(order: Order, all: readonly Order[], log: readonl
       replaces(code, order.code),
   );
   return !replaced && !isAnswered(order, log);
+}
+
+/**
+ * Whether a question waits for its answer or an order is in force; one that no report ends is until the next is given.
+ * all: orders that it was given among; log: lines that count.
+ */
+export function isInForce(order: Order, all: readonly Order[], log: readonly ReportLine[]): boolean {
+  if (!canBeCancelled(order, all, log)) return false;
+  const next = (other: Order): boolean =>
+    other.number > order.number && isOf(other.side, order.side) && !isQuestion(other);
+  return reportsOf[order.code] !== undefined || !all.some(next);
 }

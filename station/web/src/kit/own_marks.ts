@@ -279,10 +279,9 @@ export class OwnMarks {
             h(
               "span",
               { class: "quiet" },
-              [timed && delayWords(delay), inChosenUnits(text), !criterion && t("costs no points")]
-                .filter(Boolean)
-                .join(", "),
+              [timed && delayWords(delay), !criterion && t("costs no points")].filter(Boolean).join(", "),
             ),
+            text && h("span", { class: "quiet", lang: "en" }, inChosenUnits(text)), // the judge speaks English
           );
         }),
       ),
@@ -345,10 +344,10 @@ function criterionRow(criterion: Criterion): HTMLElement {
     "li",
     { "data-met": criterion.met ? "" : undefined },
     `${capital(spaced(criterion.code))}${criterion.must ? ` ${t("(must)")}` : ""}: ${points}`,
-    criterion.reason && h("span", {}, inChosenUnits(criterion.reason)),
+    criterion.reason && h("span", { lang: "en" }, inChosenUnits(criterion.reason)),
     whyItMatters(criterion),
   );
 }
 
 const whyItMatters = ({ text }: Criterion): HTMLElement | string =>
-  text && h("span", { class: "quiet" }, inChosenUnits(text));
+  text && h("span", { class: "quiet", lang: "en" }, inChosenUnits(text));

@@ -57,7 +57,7 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
     "lesson {lesson} is over: {0} points, not_yet",
     "lesson {lesson} is over: {0} points, not_shown",
   ],
-  "assessment.unanswered": ["the bridge asks again: if it hears nothing it gives up at {0} s, and the lesson ends"],
+  "assessment.unanswered": ["the bridge asks again: if it hears nothing it gives up at {time}, and the lesson ends"],
   "cable.parted": ["cable has parted {0} m from the anchor: anchor lost"],
   "cable.shackle": [
     "{0} shackle on deck, heaving",
@@ -92,9 +92,9 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
   "exercise.reading": ['exercise "{file}" is being read for {name}'],
   "exercise.reset": ["exercise reset by {name}"],
   "exercise.restored": [
-    "exercise restored to {0} s, paused, from a checkpoint by {name}",
-    "exercise restored to {0} s, paused, from {from} by {name}",
-    "exercise restored to {0} s, paused, by {name}",
+    "exercise restored to {time}, paused, from a checkpoint by {name}",
+    "exercise restored to {time}, paused, from {from} by {name}",
+    "exercise restored to {time}, paused, by {name}",
   ],
   "exercise.resumed": ["exercise goes on", "exercise resumed by {name}"],
   "exercise.started": ["exercise started by {name}"],

@@ -32,6 +32,16 @@ void test("sentences that the server makes up are read in German", () => {
     ],
     ["question.asked", "bridge is asked (lead): How does she lead?", "Brücke wird gefragt (lead): How does she lead?"],
     ["classroom.removed", "exercise anna removed by desk-1", "Übung anna entfernt von desk-1"],
+    [
+      "assessment.unanswered",
+      "the bridge asks again: if it hears nothing it gives up at 378 s, and the lesson ends",
+      "die Brücke fragt noch einmal: hört sie nichts, gibt sie bei 6:18 auf, und die Lektion endet",
+    ],
+    [
+      "exercise.restored",
+      "exercise restored to 62.50 s, paused, from monday at 0:00 by desk-1",
+      "Übung zurückgesetzt auf 1:02, angehalten, nach monday at 0:00, von desk-1",
+    ],
     ["exercise.finished", "exercise finished: by desk-1", "Übung beendet von desk-1"],
   ];
   for (const [code, text, said] of german) assert.equal(eventText({ code, text }), said);

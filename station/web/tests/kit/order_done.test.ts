@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { type ReportLine, canBeCancelled, isAnswered } from "../../src/kit/order_done";
+import { type ReportLine, canBeCancelled, isAnswered, isInForce } from "../../src/kit/order_done";
 import { bareReport, orderText, reportText } from "../../src/kit/words";
 import {
   type BridgeOrder,
@@ -91,4 +91,17 @@ test("orders in own words do not take each other's place", () => {
     order(2, O.BRIDGE_ORDER_TEXT, { text: "lamp" }),
   ];
   assert.ok(all.every((each) => canBeCancelled(each, all, [])));
+});
+
+test("in force is what is still to be done or answered, and of orders that no report ends the last", () => {
+  const standBy = order(1, O.BRIDGE_ORDER_STAND_BY);
+  const clear = order(2, O.BRIDGE_ORDER_STAND_CLEAR);
+  const letGo = order(3, O.BRIDGE_ORDER_LET_GO);
+  const asked = order(4, O.BRIDGE_ORDER_BROUGHT_UP, { state: BridgeOrderState.ORDER_GIVEN });
+  const inForce = (all: BridgeOrder[], log: ReportLine[]): number[] =>
+    all.filter((each) => isInForce(each, all, log)).map(({ number }) => number);
+  assert.deepEqual(inForce([standBy, clear], []), [1, 2]);
+  assert.deepEqual(inForce([standBy, clear, letGo, asked], []), [3, 4], "a question takes no order's place");
+  assert.deepEqual(inForce([letGo, asked], [made(41, R.REPORT_GROWING, { growing: Growing.GROWING_TIGHT })]), [3]);
+  assert.deepEqual(inForce([letGo, asked], [made(31, R.REPORT_LET_GO)]), [4]);
 });
