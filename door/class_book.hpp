@@ -46,9 +46,10 @@ struct Result {
     std::string outcome =
         {}; ///< Assessment's: achieved, not_yet, not_shown, or practice; empty: not marked to the end
     std::optional<double> lost = {}; ///< 0..100, while points are of what is decided so far
-    bool in_history = false;         ///< the attempt that this recording has
-    double time = 0;                 ///< s of exercise, as it was heard last
-    bool running = false;            ///< the same
+    std::string abort = {};  ///< why the lesson ended before it was done; empty: it did not, or by a hand
+    bool in_history = false; ///< the attempt that this recording has
+    double time = 0;         ///< s of exercise, as it was heard last
+    bool running = false;    ///< the same
     /// s of exercise: when it was heard running first, and marked to the end. The book's own.
     std::optional<double> began = {}, marked = {};
 };

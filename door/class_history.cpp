@@ -44,6 +44,14 @@ std::map<std::string, history::Listed> attempts_of(const fs::path& recordings, h
     return found;
 }
 
+/// The attempt that it follows from; null: none.
+json after(const history::NextLesson& next) {
+    if (next.recording.empty()) return nullptr;
+    return {{"lesson", next.lesson.id},
+            {"recording", fs::path(next.recording).filename().string()},
+            {"began_at", next.began_at}};
+}
+
 } // namespace
 
 void ClassHistory::put(const AttemptMade& made) const {
@@ -94,6 +102,7 @@ json ClassHistory::next(const std::vector<std::string>& names, const json& lesso
                                {"title", next->lesson.title},
                                {"why", next->why},
                                {"practice", next->practice},
+                               {"after", after(*next)},
                                {"from", next->practice ? again_from(next->recording) : json()}});
         } catch (const std::invalid_argument&) { // he is in no history: his seat was not recorded
         }

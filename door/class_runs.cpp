@@ -106,6 +106,8 @@ Result ClassRuns::result(const std::string& exercise) const {
             else if (const auto marks = marks_so_far(heard))
                 result.points = marks->points, result.lost = marks->lost;
             result.outcome = heard.finished() && heard.practice() ? "practice" : heard.outcome().to_string();
+            // That somebody ended it, or its class, who looks at the class has seen or done.
+            result.abort = heard.ending() == LESSON_ENDED_EARLY ? std::string() : heard.abort().to_string();
         } catch (const std::exception&) {
             continue; // of a writer that is no server of ours
         }

@@ -589,6 +589,7 @@ json DoorHost::class_told(const TrainingClass& told) {
                   {"state", nullptr},
                   {"time", 0},
                   {"recording", result.recording},
+                  {"abort", result.abort},
                   {"points", result.points ? json(*result.points) : json()},
                   {"lost", result.lost ? json(*result.lost) : json()},
                   {"outcome", result.outcome},

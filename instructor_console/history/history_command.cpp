@@ -107,6 +107,7 @@ void tell_next(History& history, const HistoryOptions& options, bool as_json,
           {"title", next->lesson.title},
           {"why", next->why},
           {"recording", next->recording},
+          {"began_at", next->began_at},
           {"practice", next->practice}});
 }
 

@@ -15,7 +15,7 @@ using nlohmann::json;
 
 /// One attempt of his.
 struct Done {
-    std::string attempt, outcome, recording, exercise;
+    std::string attempt, outcome, recording, exercise, began_at;
     json lesson; ///< of its file; an object without members where none was attached to the recording
     bool practice;
     bool in_part; ///< another had the seat before or after him: it shows nobody's competence
@@ -32,7 +32,7 @@ std::vector<Done> done_by(Database& database, const std::string& pseudonym) {
              "SELECT attempt.id, coalesce(outcome_final, outcome), recording, lesson.name, "
              "lesson.json, practice, min(part <> ''), outcome_final IS NOT NULL OR NOT EXISTS (SELECT "
              "1 FROM objective WHERE objective.attempt = attempt.id AND objective.outcome <> "
-             "'achieved') FROM attempt "
+             "'achieved'), began_at FROM attempt "
              "JOIN lesson ON lesson.hash = lesson_hash JOIN seat ON seat.attempt = attempt.id "
              "JOIN trainee ON trainee.id = seat.trainee WHERE pseudonym = ? AND part <> ? GROUP BY "
              "attempt.id "
@@ -40,8 +40,9 @@ std::vector<Done> done_by(Database& database, const std::string& pseudonym) {
              {pseudonym, std::string(kNotJudged)})) {
         const json file = json::parse(text_of(row[4]), nullptr, false);
         json lesson = file.is_object() ? file.value("lesson", json::object()) : json::object();
-        all.push_back({text_of(row[0]), text_of(row[1]), text_of(row[2]), text_of(row[3]), std::move(lesson),
-                       integer_of(row[5]) == 1, integer_of(row[6]) == 1, integer_of(row[7]) == 1});
+        all.push_back({text_of(row[0]), text_of(row[1]), text_of(row[2]), text_of(row[3]), text_of(row[8]),
+                       std::move(lesson), integer_of(row[5]) == 1, integer_of(row[6]) == 1,
+                       integer_of(row[7]) == 1});
     }
     return all;
 }
@@ -84,13 +85,14 @@ std::optional<NextLesson> next_lesson(Database& database, const std::string& pse
         const Done& last = all.back();
         const auto again = std::ranges::find(offered, last.exercise, &Offered::exercise);
         if (again != offered.end() && open(*again))
-            return {{*again, why_again(database, last), last.recording, last.outcome != "achieved"}};
+            return {{*again, why_again(database, last), last.recording, last.began_at,
+                     last.outcome != "achieved"}};
     }
     const auto first = std::ranges::find_if(offered, open);
     if (first == offered.end()) return std::nullopt;
     return {{*first,
              tried.contains(first->exercise) ? "tried before, and not achieved in all of it" : "not done yet",
-             "", false}};
+             "", "", false}};
 }
 
 } // namespace windlass::history

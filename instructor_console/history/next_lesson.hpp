@@ -23,6 +23,7 @@ struct NextLesson {
     Offered lesson;
     std::string why;       ///< in words
     std::string recording; ///< of the attempt that it follows from; empty: of none
+    std::string began_at;  ///< of the same: "2023-11-14T22:13:20Z"
     bool practice = false; ///< for practice, with hints, before it is a test again: he missed it
 };
 

@@ -119,9 +119,10 @@ std::string reckoning(const PageContext& page, const Judgement& judgement) {
     return text + "</p>\n";
 }
 
-/// A reason without what it cost, in the lesson's weights: the column beside it has that in points of 100.
+/// A reason without what it cost: the column beside it has that in points of 100.
 std::string without_weights(const std::string& reason) {
-    static const std::regex kCost(": [0-9.]+ of [0-9]+ points lost");
+    static const std::regex kCost(
+        ": (all of its|[0-9.]+ % of its|[0-9.]+ of [0-9]+) points lost"); // the last of older recordings
     return std::regex_replace(reason, kCost, "");
 }
 

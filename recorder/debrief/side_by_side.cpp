@@ -148,7 +148,7 @@ bool in_part(const Mark& mark) {
 
 Cell mark_cell(const Mark* mark) {
     if (!in_play(mark)) return figure_cell("-");
-    const std::string points = fmt::format("{:.0f}", mark->points - mark->lost);
+    const std::string points = fmt::format("{:.1f}", mark->points - mark->lost);
     return figure_cell(whole(*mark) ? points : fmt::format("{} at {}", points, station::clock(mark->time)));
 }
 

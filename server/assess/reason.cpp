@@ -190,10 +190,13 @@ std::string missed_words(const Lesson& lesson, const Condition& condition, int p
     return is_one_sign ? found : found + "; wanted: " + wanted; // the sign is all that was wanted
 }
 
-std::string lost(const Criterion& criterion, const Mark& mark) {
-    const int points = (criterion.weight * (1000 - mark.milli) + 50) / 100; // tenths of a point
-    if (points == 0) return "";
-    return tenths(points / 10.0) + " of " + std::to_string(criterion.weight) + " points lost";
+/// What is lost for good: of one that is open only what no hand can make good any more. As a share: what its
+/// points are of 100 is told beside it, and depends on what else came into play.
+std::string lost(const Criterion& criterion, const Mark& mark, bool over) {
+    const bool falls = criterion.kind == CriterionKind::limit || criterion.kind == CriterionKind::state_at;
+    if (mark.milli == 1000 || (mark.decided < 0 && !over && !falls)) return "";
+    if (mark.milli == 0) return "all of its points lost";
+    return tenths((1000 - mark.milli) / 10.0) + " % of its points lost";
 }
 
 std::string limit_words(const Criterion& criterion, const Mark& mark, int rate) {
@@ -427,7 +430,7 @@ std::string final_words(const Lesson& lesson, const Criterion& criterion, const 
     const std::string at = clock(mark.decided, rate) + " ", since = " since " + clock(mark.since, rate);
     if (mark.milli > 0)
         return at + "wanted at the end: " + condition_words(lesson, criterion.that) + "; it was so," + since;
-    return at + "at the end " + (mark.held ? "not so" + since : "it never was so") + ": " +
+    return at + "at the end " + (mark.held ? "not so" + since + ": " : "") +
            missed_words(lesson, criterion.that, mark.missing, mark.worst);
 }
 
@@ -548,7 +551,7 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
     const bool left_out = was_left_out(lesson, state, k);
     if (left_out) text = "it never came to that";
     const bool judged = left_out || mark.state != CriterionState::not_in_play;
-    const std::string points = judged ? lost(criterion, mark) : "";
+    const std::string points = judged ? lost(criterion, mark, state.ending != Ending::none) : "";
     text += (text.empty() || points.empty() ? "" : ": ") + points;
     const bool missed = judged && !is_met(mark.milli);
     if (criterion.must && missed && state.ending != Ending::none) text += "; a must";

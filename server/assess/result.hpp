@@ -88,7 +88,7 @@ bool was_left_out(const Lesson& lesson, const State& state, std::size_t criterio
 /// Whether a mark can still come to be `milli`, or is; nothing: that is open.
 std::optional<bool> verdict(const Lesson& lesson, const State& state, std::size_t criterion, int milli);
 
-/// Why the mark is what it is: "0:41 worst 6.9 m/s, at most 5.5; 3.2 s beyond: 20 of 100 lost".
+/// Why the mark is what it is: "0:41 worst 6.9 m/s, at most 5.5; 3.2 s beyond: 20 % of its points lost".
 std::string reason(const Lesson& lesson, const State& state, std::size_t criterion, int tick_rate);
 
 /// What was so when that report came: "3.6 shackles", "it never was so". criterion: that it was held against.

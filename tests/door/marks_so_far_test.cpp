@@ -31,6 +31,19 @@ TEST(MarksSoFar, AreOfWhatIsDecidedInPointsOfTheWholeLesson) {
     EXPECT_DOUBLE_EQ(found->lost, 8);
 }
 
+// A limit that was broken is not made good again; a report that was not made yet may still be.
+TEST(MarksSoFar, WhatIsLostForGoodIsToldBeforeItIsDecided) {
+    Assessment marks;
+    Criterion pay_out = criterion(15, CRITERION_OPEN, 0, 0), piled = criterion(10, CRITERION_OPEN, 700, 0);
+    pay_out.kind(CRITERION_LIMIT);
+    piled.kind(CRITERION_STATE_AT);
+    marks.criteria({pay_out, piled, criterion(75, CRITERION_OPEN, 0, 0)});
+    const auto found = marks_so_far(marks);
+    ASSERT_TRUE(found);
+    EXPECT_DOUBLE_EQ(found->points, 0);
+    EXPECT_DOUBLE_EQ(found->lost, 18);
+}
+
 TEST(MarksSoFar, AnAssessorsWordCountsAsSoonAsItIsSaid) {
     Assessment marks;
     Criterion excused = criterion(80, CRITERION_OVERRIDDEN, 0, 0);

@@ -80,14 +80,12 @@ TEST(Assessment, WhatWentWrongIsFoundWhereItFirstDid) {
     EXPECT_EQ(course.mark(0).lost_tick, 101U);
     EXPECT_EQ(course.mark(0).tick, 420U) << "which is the end";
     EXPECT_EQ(course.mark(1).lost_tick, 121U) << "since when it is off";
-    EXPECT_EQ(
-        course.mark(1).reason,
-        "0:42 at the end not so since 0:12: chain stopper closed: no; wanted: chain stopper closed: 10 of 10 "
-        "points lost");
-    EXPECT_EQ(
-        course.mark(2).reason,
-        "0:42 at the end it never was so: brake hand-wheel was 0.5; wanted: brake hand-wheel (0 open, 1 "
-        "hard on) above 0.9: 10 of 10 points lost");
+    EXPECT_EQ(course.mark(1).reason, "0:42 at the end not so since 0:12: chain stopper closed: no; wanted: "
+                                     "chain stopper closed: all of its "
+                                     "points lost");
+    EXPECT_EQ(course.mark(2).reason,
+              "0:42 at the end brake hand-wheel was 0.5; wanted: brake hand-wheel (0 open, 1 "
+              "hard on) above 0.9: all of its points lost");
     EXPECT_EQ(course.mark(2).lost_tick, 420U) << "what never was so is missed at the end";
     EXPECT_EQ(course.mark(3).lost_tick, 0U);
     EXPECT_EQ(course.mark(3).reason, "it never was so, and must not be: dog clutch in");
@@ -106,8 +104,28 @@ TEST(Assessment, ReasonOfALimitSaysForHowLongInAllAndWhatLeavesNothing) {
     runs(0, 5);
     course.end();
     EXPECT_EQ(course.mark().reason, "0:16 cable's speed 7 m/s, at most 3 m/s; beyond it for 2 s in all, from "
-                                    "0:10; cable's speed above 6 m/s leaves nothing: 10 of 10 points lost")
+                                    "0:10; cable's speed above 6 m/s leaves nothing: all of its points lost")
         << "with whose speed it is: pages show it in another unit";
+}
+
+// What may still come is not lost; the limit that was broken is, whatever comes.
+TEST(Assessment, ReasonOfWhatIsOpenSaysLostOnlyOfWhatIsLostForGood) {
+    Course course(lesson(
+        R"({"id": "s", "kind": "final", "that": {"stopper": "on"}},
+           {"id": "v", "kind": "limit", "of": "cable_speed", "max": 3},
+           {"id": "r", "kind": "report", "report": "foul_anchor"})"));
+    course.windlass().stopper_closed = false;
+    course.windlass().cable_speed = 4;
+    course.run(5);
+    EXPECT_EQ(course.mark(0).state, CriterionState::open);
+    EXPECT_EQ(course.mark(0).reason, "");
+    EXPECT_EQ(course.mark(1).state, CriterionState::open);
+    EXPECT_NE(course.mark(1).reason.find(" % of its points lost"), std::string::npos)
+        << course.mark(1).reason;
+    EXPECT_EQ(course.mark(2).reason.find("lost"), std::string::npos) << course.mark(2).reason;
+    course.end();
+    EXPECT_NE(course.mark(0).reason.find(": all of its points lost"), std::string::npos)
+        << course.mark(0).reason;
 }
 
 // What was wrong stands before what was wanted: of many wants the last are cut.
@@ -123,7 +141,7 @@ TEST(Assessment, ReasonOfAStateSaysFirstWhatWasNotSo) {
     course.run(1);
     const std::string reason = course.mark().reason;
     EXPECT_EQ(reason.find("0:01 chain stopper closed: no; wanted: "), 0U) << reason;
-    EXPECT_NE(reason.find(" ...: 10 of 10 points lost"), reason.npos) << reason;
+    EXPECT_NE(reason.find(" ...: all of its points lost"), reason.npos) << reason;
 }
 
 // The lesson is over before anybody has looked: no figure is told that nobody has read.
@@ -152,7 +170,7 @@ TEST(Assessment, OneStepIsNoCourseOfSteps) {
     late.run(10);
     late.end();
     EXPECT_EQ(late.mark().reason,
-              "0:10 it was not so in 9.9 s; wanted: chain stopper closed: 10 of 10 points lost");
+              "0:10 it was not so in 9.9 s; wanted: chain stopper closed: all of its points lost");
 }
 
 TEST(Assessment, ExerciseThatIsEndedEarlyHasNobodysWord) {
@@ -215,7 +233,7 @@ TEST(Assessment, MustThatALessonNeverCameToEarnsNothingOfTheWhole) {
     EXPECT_EQ(course.now().outcome, Outcome::not_shown);
     EXPECT_EQ(course.mark(1).state, CriterionState::not_in_play);
     EXPECT_TRUE(course.mark(1).counts);
-    EXPECT_EQ(course.mark(1).reason, "it never came to that: 90 of 90 points lost; a must");
+    EXPECT_EQ(course.mark(1).reason, "it never came to that: all of its points lost; a must");
     Course early(text);
     work(early);
     early.end();

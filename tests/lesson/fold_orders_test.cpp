@@ -107,7 +107,7 @@ TEST(Assessment, OrderThatIsNeverRepeatedSaysSo) {
     course.run(20);
     course.end();
     EXPECT_EQ(course.mark().reason, "0:01 \"put port windlass in gear\" not repeated back within 10 s, "
-                                    "carried out after 1 s: 4 of 10 points lost");
+                                    "carried out after 1 s: 40 % of its points lost");
 }
 
 // He who says nothing to it has not shown that he heard it.
@@ -123,7 +123,7 @@ TEST(Assessment, OrderForWhatIsSoAlreadyEarnsNothingByItself) {
     EXPECT_EQ(
         course.mark().reason,
         "0:01 \"put port windlass in gear\" not repeated back within 10 s; it was so already when it was "
-        "given, and nothing was said to it: 10 of 10 points lost");
+        "given, and nothing was said to it: all of its points lost");
 }
 
 } // namespace windlass::assess

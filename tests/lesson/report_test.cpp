@@ -315,7 +315,7 @@ TEST(Reports, OfSeveralThatAreAskedForEachCounts) {
     EXPECT_EQ(course.mark().milli, 500);
     EXPECT_EQ(course.mark().reason, "0:30 \"port cable is tight\" reported, and it was not so. 0:35 \"port "
                                     "cable is slack\" reported, and it was so. "
-                                    "2 of 2 reports made: 5 of 10 points lost");
+                                    "2 of 2 reports made: 50 % of its points lost");
 }
 
 // What is shown and kept of a report is what was judged: said at 12.0 s of what was so at 5.0 s.
@@ -349,7 +349,7 @@ TEST(Reports, OfAFigureTellTheFigureThatWasSo) {
     EXPECT_NEAR(course.now().reports[0].truth.value(), 4, 1e-9)
         << "from where it was marked, not from the lip";
     EXPECT_EQ(course.mark().reason,
-              "0:01 \"5.2 shackles in the water\" reported, 4 were so: 10 of 10 points lost");
+              "0:01 \"5.2 shackles in the water\" reported, 4 were so: all of its points lost");
 }
 
 TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
@@ -359,14 +359,14 @@ TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
     cried.run(1);
     cried.end();
     EXPECT_EQ(cried.mark().reason,
-              "0:03 \"port anchor is dragging\" reported, and it never was so: 10 of 10 points lost");
+              "0:03 \"port anchor is dragging\" reported, and it never was so: all of its points lost");
     EXPECT_EQ(cried.mark().lost_tick, 30U);
     ASSERT_EQ(cried.now().reports.size(), 1U);
     EXPECT_FALSE(cried.now().reports[0].delay);
     Course silent(reporting("secured"));
     silent.run(1);
     silent.end();
-    EXPECT_EQ(silent.mark().reason, "\"secured\" wanted, not reported: 10 of 10 points lost");
+    EXPECT_EQ(silent.mark().reason, "\"secured\" wanted, not reported: all of its points lost");
     EXPECT_EQ(silent.mark().lost_tick, 10U) << "the end: there is no other moment";
     Course overlooked(
         R"({"id": "T", "criteria": [{"id": "r", "kind": "report", "report": "foul_anchor", "weight": 10}]})");
@@ -376,7 +376,7 @@ TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
     overlooked.run(5);
     overlooked.end();
     EXPECT_EQ(overlooked.mark().reason,
-              "0:05 it was so: \"foul anchor\" wanted, not reported: 10 of 10 points lost");
+              "0:05 it was so: \"foul anchor\" wanted, not reported: all of its points lost");
     EXPECT_EQ(overlooked.mark().lost_tick, 51U) << "when it hung there to be seen";
     Course missed(reporting("on_the_bottom"));
     missed.run(5);
@@ -384,7 +384,7 @@ TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
     missed.run(40);
     EXPECT_EQ(missed.mark().reason,
               "0:05 anchor on bottom (port): \"on the bottom\" wanted within 15 s, not reported: "
-              "10 of 10 points lost");
+              "all of its points lost");
     EXPECT_EQ(missed.mark().lost_tick, 51U);
     missed.report(ReportCode::on_the_bottom);
     missed.run(1);

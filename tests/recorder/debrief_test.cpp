@@ -96,6 +96,15 @@ TEST(DebriefTest, PageNeedsNothingBesideItself) {
     EXPECT_THAT(page, HasSubstr("never &lt;told&gt;"));
 }
 
+TEST(DebriefTest, WhatAReasonSaysWasLostStandsInTheColumnBesideIt) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    for (const char* cost : {"80 % of its points lost", "all of its points lost", "12.0 of 15 points lost"}) {
+        attempt.assessment->criteria()[1].reason(std::string("0:41 too fast: ") + cost + "; a must");
+        EXPECT_THAT(page_of(attempt, {}), HasSubstr("0:41 too fast; a must")) << cost;
+    }
+}
+
 TEST(DebriefTest, EveryElementIsClosedAndEveryIdStandsOnce) {
     const Folder folder;
     const Attempt attempt = attempt_of(folder), other = attempt_of(folder, {.let_go = 15}, "tuesday");

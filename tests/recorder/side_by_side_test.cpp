@@ -68,7 +68,7 @@ TEST_F(SideBySide, EachCriterionHasItsPointsAndHowTheyAreSpread) {
     const std::string page = page_of({&first, &second, &third});
     // 15 of the 50 that were in play: 30 of 100 points.
     EXPECT_THAT(row(page, "fall: criterion fall"),
-                ElementsAre("6 at 0:33", "30", "0 at 0:33", "18.0",
+                ElementsAre("6.0 at 0:33", "30.0", "0.0 at 0:33", "18.0",
                             "<span class=\"squares\" aria-hidden=\"true\">\u25e7\u25a0\u25a1</span> "
                             "1 whole, 1 in part, 1 none"));
     EXPECT_THAT(row(page, "later: criterion later"), ElementsAre("-", "-", "-", "", "not in play"));

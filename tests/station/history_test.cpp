@@ -69,6 +69,7 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
     EXPECT_EQ(next()->lesson.id, "L02");
     EXPECT_THAT(next()->why, HasSubstr("not yet: Holds the fall"));
     EXPECT_THAT(next()->recording, HasSubstr("day 1"));
+    EXPECT_EQ(next()->began_at, "2023-11-15T22:13:20Z") << "of the attempt whose objectives are told";
     EXPECT_TRUE(next()->practice) << "he missed it";
     done("lower", "achieved", true);
     EXPECT_EQ(next()->lesson.id, "L02") << "practice is no test";
@@ -87,6 +88,7 @@ TEST_F(HistoryTest, NextIsTheLastLessonUntilItIsAchievedInATestThenTheFirstThatI
     done("lower", "achieved");
     EXPECT_EQ(next()->lesson.id, "L01");
     EXPECT_EQ(next()->why, "not done yet");
+    EXPECT_EQ(next()->began_at, "") << "of none";
     done("let-go", "achieved");
     done("lower", "not_yet"); // once achieved, it is
     EXPECT_EQ(next()->lesson.id, "L03");

@@ -5,7 +5,7 @@ import { inChosenUnits } from "../kit/figures_in_text";
 import { showsTopic } from "../kit/live";
 import { clock, measures } from "../kit/units";
 import { practiceSaid } from "../kit/own_marks";
-import { pointsFigure, pointsSaid, soFar } from "../kit/points_said";
+import { earnedSaid, pointsFigure, pointsSaid, rowSaid, shareSaid, soFar } from "../kit/points_said";
 import { TypedCount, kMostWords } from "../kit/typed_count";
 import { endingSaid, outcomeSaid, saidOf, stateSaid } from "../kit/words";
 import {
@@ -116,17 +116,21 @@ export class MarksPanel {
     const abort = assessment.abort && `, ${early ? why : t("ended: {what}", { what: why })}`;
     const practice = assessment.practice ? `; ${practiceSaid(assessment)}` : "";
     setText(this.head, `${clock(assessment.time)}  ${points}${computed}${abort}${practice}`);
-    this.list.replaceChildren(...assessment.criteria.map((criterion) => this.row(criterion)));
+    this.list.replaceChildren(...assessment.criteria.map((criterion) => this.row(criterion, assessment)));
     this.form.hidden = false;
     const names = assessment.criteria.map((criterion) => criterion.code);
     if (names.join() !== [...this.criterion.options].map((option) => option.value).join())
       this.criterion.replaceChildren(...names.map((name) => h("option", { value: name }, name)));
   }
 
-  private row(criterion: Criterion): HTMLElement {
-    const of = (milli: number): string =>
-      t("{points} of {most}", { points: pointsFigure((criterion.weight * milli) / 1000), most: criterion.weight });
-    const state = stateSaid(criterion);
+  private row(criterion: Criterion, assessment: Assessment): HTMLElement {
+    const open = criterion.state === CriterionState.CRITERION_OPEN && criterion.counts;
+    const state = open
+      ? t("{state}, {points} so far", {
+          state: stateSaid(criterion),
+          points: earnedSaid(criterion, criterion.counted, assessment),
+        })
+      : stateSaid(criterion);
     const rubric = criterion.kind === CriterionKind.CRITERION_RUBRIC;
     const set = criterion.state === CriterionState.CRITERION_OVERRIDDEN;
     const word = this.words.of(criterion);
@@ -135,20 +139,18 @@ export class MarksPanel {
       ? state
       : rubric // of which nothing is computed
         ? `${state}: ${verdict}`
-        : t("{state}: {verdict}; computed {points}", { state, verdict, points: of(criterion.milli) });
+        : t("{state}: {verdict}; computed {points}", {
+            state,
+            verdict,
+            points: shareSaid(criterion, criterion.milli, assessment),
+          });
     // What an assessor judges stands there to be read while he looks.
     const about = rubric ? criterion.text : (word?.computed ?? criterion.reason);
     return h(
       "li",
       { "data-state": CriterionState[criterion.state] },
       h("span", { class: "code" }, `${criterion.code}${criterion.must ? ` ${t("(must)")}` : ""}`),
-      h(
-        "span",
-        { class: "figure" },
-        criterion.counts
-          ? of(criterion.counted)
-          : t("{points} of {most}", { points: "\u2013", most: criterion.weight }),
-      ),
+      h("span", { class: "figure" }, rowSaid(criterion, assessment)),
       h("span", { class: "quiet" }, told),
       about && h("span", { class: "quiet", lang: "en" }, inChosenUnits(about)), // the judge speaks English
       word && h("span", { class: "word" }, wordWords(word)),

@@ -59,8 +59,19 @@ export interface Next {
   title: string;
   why: string;
   practice: boolean;
+  /** The attempt of which that is; null: of none. */
+  after: After | null;
   /** From when his last attempt, which went wrong, is done again; null: nothing to go on from. */
   from: From | null;
+}
+
+/** An attempt at a lesson. */
+export interface After {
+  /** "L02". */
+  lesson: string;
+  recording: string;
+  /** UTC: "2026-11-30T09:12:20Z". */
+  began_at: string;
 }
 
 /** A moment of a recording. */
@@ -157,6 +168,8 @@ export interface ClassExercise {
   parts: Part[];
   /** Its recording's name; empty: none was made. */
   recording: string;
+  /** Why the lesson ended before it was done; empty: it did not, or somebody ended it. */
+  abort: string;
   /** 0..100; null: it is not marked. */
   points: number | null;
   /** The same, while points are of what is decided so far; null: it is marked to the end, or not at all. */

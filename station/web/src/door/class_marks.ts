@@ -1,6 +1,6 @@
 // What came of a class: who sat where, the marks, and the way to each debriefing.
 
-import { capital, outcomeSaid } from "../kit/words";
+import { capital, endingSaid, outcomeSaid } from "../kit/words";
 import { h, setText } from "../kit/dom";
 import { pointsFigure, pointsSaid } from "../kit/points_said";
 import { clock } from "../kit/units";
@@ -23,12 +23,13 @@ import {
 import { doorSaid } from "./door_sentences";
 import { field, form } from "./form";
 import { TypedCount, kMostWords } from "../kit/typed_count";
-import { t } from "../kit/language";
+import { language, t } from "../kit/language";
 
-/** In words: points, and what they mean once the lesson is over. */
-export function marksOf({ points, lost, outcome }: ClassExercise): string {
+/** In words: points, and what they mean once the lesson is over; why it was before it was done. */
+export function marksOf({ points, lost, outcome, abort }: ClassExercise): string {
   if (points === null) return t("not marked");
-  return pointsSaid(points, lost ?? 0, outcome === "practice" ? t("for practice") : outcomeSaid(outcome));
+  const said = pointsSaid(points, lost ?? 0, outcome === "practice" ? t("for practice") : outcomeSaid(outcome));
+  return abort ? `${said}, ${t("ended: {what}", { what: endingSaid(abort) })}` : said;
 }
 
 /** Of a seat whose work is not what the marks are of. */
@@ -38,8 +39,8 @@ const notJudged = ({ bridge_judged }: TrainingClass): string =>
 const kLook = 2000; // ms
 
 /**
- * Why a class that goes on does so from there: "fall went wrong at 0:33: ten seconds before its time began". Behind it
- * what stands then: "had gone wrong by then, and stands as it was: orders".
+ * From where a class goes on, and why: 'ten seconds before "fall" went wrong, at
+ * 0:33'. Behind it what stands then: "had gone wrong by then, and stands as it was: orders".
  */
 export function whyFrom({ before, lost, lost_at, standing }: From): string {
   const why = whyBefore(before, { lost, at: clock(lost_at) });
@@ -49,13 +50,13 @@ export function whyFrom({ before, lost, lost_at, standing }: From): string {
 function whyBefore(before: From["before"], its: { lost: string; at: string }): string {
   switch (before) {
     case "levers":
-      return t("{lost} went wrong at {at}: ten seconds before the last move of the levers until then", its);
+      return t('ten seconds before the last move of the levers that came before "{lost}" went wrong, at {at}', its);
     case "order":
-      return t("{lost} went wrong at {at}: ten seconds before the last order until then", its);
+      return t('ten seconds before the last order that came before "{lost}" went wrong, at {at}', its);
     case "due":
-      return t("{lost} went wrong at {at}: ten seconds before its time began", its);
+      return t('ten seconds before it was time for "{lost}", which went wrong at {at}', its);
     case "loss":
-      return t("ten seconds before {lost} went wrong, at {at}", its);
+      return t('ten seconds before "{lost}" went wrong, at {at}', its);
   }
 }
 
@@ -92,13 +93,22 @@ export function whyNext(why: string): { said: string; objective: string }[] {
   return parts.map((part) => ({ said: `${outcomeSaid(part[1]!)}: `, objective: part[2]! }));
 }
 
+/** "after L02 on 30 November: ", where that is of no attempt of this class; else empty. */
+export function afterSaid({ after }: Pick<Next, "after">, { exercises }: Pick<TrainingClass, "exercises">): string {
+  if (!after || exercises.some(({ recording }) => recording === after.recording)) return "";
+  const locale = language === "en" ? "en-GB" : language; // the day before the month
+  const date = new Date(after.began_at).toLocaleDateString(locale, { day: "numeric", month: "long" });
+  return `${t("after {lesson} on {date}", { lesson: after.lesson, date })}: `;
+}
+
 /** The same, and why. */
-const nextWords = ({ title, why, practice }: Next): (Node | string)[] => [
-  ...lessonWords(title, practice),
+const nextWords = (next: Next, it: TrainingClass): (Node | string)[] => [
+  ...lessonWords(next.title, next.practice),
   h(
     "span",
     { class: "quiet" },
-    ...whyNext(why).flatMap(({ said, objective }, k) => [
+    afterSaid(next, it),
+    ...whyNext(next.why).flatMap(({ said, objective }, k) => [
       `${k > 0 ? "; " : ""}${said}`,
       objective && h("span", { lang: "en" }, objective),
     ]),
@@ -206,7 +216,7 @@ async function fillNext(
     // The latest attempt may be of a class since, and is done again there.
     const here = one.from && it.exercises.some(({ recording }) => recording === one.from?.recording);
     const again = one.from && here && open ? againFrom(one, one.from, it, open) : [];
-    cells.get(one.name)?.replaceChildren(...nextWords(one), ...again);
+    cells.get(one.name)?.replaceChildren(...nextWords(one, it), ...again);
   }
   const classOf = (group: Next[], { title, practice }: Next): HTMLElement =>
     h(

@@ -8,22 +8,27 @@ import {
   type BridgeOrder,
   BridgeOrderState,
   type Criterion,
+  CriterionKind,
   CriterionState,
   LessonEnding,
+  type JudgedReport,
   type ObjectiveMark,
+  type SeatEvent,
 } from "../wire/generated";
+import { begins, leave } from "./branch";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import type { OwnSeat } from "./instructions";
 import { written } from "./orders";
-import { pointsFigure } from "./points_said";
+import { pointsFigure, shareSaid } from "./points_said";
 import { clock, measures } from "./units";
-import { capital, endingSaid, outcomeSaid, reportRows, saidOf, stateSaid } from "./words";
+import { capital, endingSaid, outcomeSaid, reportRows, saidOf, spoken, stateSaid } from "./words";
 import { t } from "./language";
 
 const kToWorkOn = 3; // criteria that are named first: nobody mends ten things at once
 const kNotInPlay = CriterionState.CRITERION_NOT_IN_PLAY;
-const kRight = 500; // of 1000: a report that earned less was not right (JudgedReport, windlass.idl)
+const kFull = 1000; // that a mark can be
+const kReports = 200; // that the log tells of
 
 /** Points that a criterion has lost, of its weight. */
 const lost = (criterion: Criterion): number => (criterion.weight * (1000 - criterion.counted)) / 1000;
@@ -42,9 +47,17 @@ export function toWorkOn(criteria: Criterion[]): Criterion[] {
     );
 }
 
-/** What went well: what was done, and what only was not broken, which is no deed to praise. */
+/** Whether nothing ran of which a limit bounds the speed: there was nothing to keep. */
+const neverRan = ({ kind, unit, limit, worst }: Criterion): boolean =>
+  kind === CriterionKind.CRITERION_LIMIT && unit === "m/s" && Math.abs(worst) < kStill * limit;
+const kStill = 0.001; // of the limit
+
+/**
+ * What went well: what was done, and what only was not broken, which is no deed to praise. The limit of a cable that
+ * never ran is none of both.
+ */
 export function wentWell(criteria: Criterion[]): { did: Criterion[]; kept: Criterion[] } {
-  const well = criteria.filter(({ counts, met, milli }) => counts && met && milli > 0);
+  const well = criteria.filter((one) => one.counts && one.met && one.milli > 0 && !neverRan(one));
   return { did: well.filter(({ deed }) => deed), kept: well.filter(({ deed }) => !deed) };
 }
 
@@ -86,6 +99,23 @@ export function delayWords(delay: number): string {
   if (s === 0) return t("at once");
   return delay < 0 ? t("{s} s early", { s }) : t("{s} s after it", { s });
 }
+
+/** What a report has earned: "right" is that to which nothing was wanting. */
+export function rightWords(milli: number): string {
+  if (milli >= kFull) return t("right|of a report");
+  if (milli === 0) return t("not right|of a report");
+  return t("nearly right: {share} % of its points", { share: Math.round(milli / 10) });
+}
+
+/** What was said, by the line of the log that tells of it: "port: 4 shackles in the pipe"; undefined: none does. */
+export function saidIn(
+  log: readonly Reported[],
+  { tick, side }: Pick<JudgedReport, "tick" | "side">,
+): string | undefined {
+  const line = log.find((one) => one.tick === tick && !one.left && (one.side < 0 || one.side === side));
+  return line && spoken(line.text);
+}
+type Reported = Pick<SeatEvent, "tick" | "time" | "side" | "text"> & { left: boolean };
 
 /** "For practice, 2 hints". */
 export function practiceSaid({ hints }: Pick<Assessment, "hints">): string {
@@ -139,6 +169,8 @@ export class OwnMarks {
   private shown: Assessment | undefined;
   private judged: OwnSeat | undefined;
   private readonly listeners = new Set<(told: boolean) => void>();
+  /** Lines of the log by which reports were heard. */
+  private log: Reported[] = [];
 
   constructor(private readonly link: Connection) {
     this.element = h(
@@ -161,6 +193,8 @@ export class OwnMarks {
     );
     link.on("SeatAssessment", (assessment) => this.tell(assessment));
     link.onClassOver(() => this.stay());
+    link.onState((state) => state === "open" && (this.log = [])); // all of it comes again
+    link.on("SeatEvent", (event) => this.hear(event));
     link.on("BridgeOrder", () => this.shown && this.fill(this.shown));
     for (const measure of measures) measure.onChoice(() => this.shown && this.fill(this.shown));
   }
@@ -174,6 +208,13 @@ export class OwnMarks {
   judge(judged: OwnSeat | undefined): void {
     this.judged = judged;
     if (this.shown) this.fill(this.shown);
+  }
+
+  private hear(event: SeatEvent): void {
+    if (begins(event)) return leave(this.log, event);
+    if (event.code !== "report.made") return;
+    this.log = [...this.log, { ...event, left: false }].slice(-kReports);
+    if (this.shown) this.fill(this.shown); // the page came late, and the marks sooner than the log
   }
 
   private tell(assessment: Assessment): void {
@@ -210,6 +251,7 @@ export class OwnMarks {
 
   private fill(assessment: Assessment): void {
     const at = (tick: number): string => clock((tick * assessment.time) / assessment.tick);
+    const row = (criterion: Criterion): HTMLElement => criterionRow(criterion, assessment);
     const wrong = toWorkOn(assessment.criteria);
     const { did, kept } = wentWell(assessment.criteria);
     const never = assessment.criteria.filter((criterion) => neverCame(criterion) && !criterion.counts);
@@ -230,10 +272,10 @@ export class OwnMarks {
             : t("It ended before it was done: {why}.", { why: endingSaid(assessment.abort) }),
         ),
       reckoning(assessment),
-      section(t("To work on next time"), wrong.slice(0, kToWorkOn).map(criterionRow)),
-      section(t("Also missed"), wrong.slice(kToWorkOn).map(criterionRow)),
-      section(others ? t("What was done") : t("What you did"), did.map(criterionRow)),
-      section(others ? t("What was kept") : t("What you kept"), kept.map(criterionRow)),
+      section(t("To work on next time"), wrong.slice(0, kToWorkOn).map(row)),
+      section(t("Also missed"), wrong.slice(kToWorkOn).map(row)),
+      section(others ? t("What was done") : t("What you did"), did.map(row)),
+      section(others ? t("What was kept") : t("What you kept"), kept.map(row)),
       ...neverAs.map((said) =>
         section(
           capital(said),
@@ -268,14 +310,14 @@ export class OwnMarks {
       section(t("Orders"), this.orders(assessment)),
       section(
         reportsBy(this.link.hello?.seat),
-        assessment.reports.map(({ tick, code, criterion, milli, timed, delay, text }) => {
-          const row = reportRows[code];
-          const right = milli >= kRight;
-          const how = right ? t("right|of a report") : t("not right|of a report");
+        assessment.reports.map((report) => {
+          const { tick, code, criterion, milli, timed, delay, text } = report;
+          const asked = reportRows[code];
+          const said = saidIn(this.log, report) ?? asked?.label ?? asked?.said ?? "";
           return h(
             "li",
-            { "data-right": right ? "" : undefined },
-            `${at(tick)} ${row?.label ?? row?.said ?? ""}: ${how}`,
+            { "data-right": milli >= kFull ? "" : undefined },
+            h("span", {}, `${at(tick)} `, h("span", { lang: "en" }, said), `: ${rightWords(milli)}`),
             h(
               "span",
               { class: "quiet" },
@@ -334,12 +376,9 @@ function section(title: string, rows: HTMLElement[]): HTMLElement | false {
   return rows.length > 0 && h("section", {}, h("h3", {}, title), h("ul", {}, ...rows));
 }
 
-/** Its reason begins with the moment at which it went wrong. */
-function criterionRow(criterion: Criterion): HTMLElement {
-  const points = t("{points} of {most}", {
-    points: pointsFigure((criterion.weight * criterion.counted) / 1000),
-    most: criterion.weight,
-  });
+/** Its reason begins with the moment at which it went wrong. Points are those of the debriefing. */
+function criterionRow(criterion: Criterion, assessment: Assessment): HTMLElement {
+  const points = shareSaid(criterion, criterion.counted, assessment);
   return h(
     "li",
     { "data-met": criterion.met ? "" : undefined },

@@ -3,8 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import type { From, Part, PlaceName, TrainingClass } from "../../src/door/ask";
-import { placesBeside, whyFrom, whyNext, wordSaid } from "../../src/door/class_marks";
+import type { ClassExercise, From, Part, PlaceName, TrainingClass } from "../../src/door/ask";
+import { afterSaid, marksOf, placesBeside, whyFrom, whyNext, wordSaid } from "../../src/door/class_marks";
 
 const part = (name: string, place: PlaceName, since: number | null = null, until: number | null = null): Part => ({
   name,
@@ -33,14 +33,31 @@ test("who was relieved goes on alone, where he was", () => {
 test("a class that goes on says before what it begins, and what was lost by that", () => {
   const why = (before: From["before"], standing: string[] = []): string =>
     whyFrom({ recording: "mon-1-17", position: 14, time: 10, before, lost: "fall", lost_at: 33.4, standing });
-  assert.equal(why("levers"), "fall went wrong at 0:33: ten seconds before the last move of the levers until then");
-  assert.equal(why("order"), "fall went wrong at 0:33: ten seconds before the last order until then");
-  assert.equal(why("due"), "fall went wrong at 0:33: ten seconds before its time began");
-  assert.equal(why("loss"), "ten seconds before fall went wrong, at 0:33");
+  assert.equal(
+    why("levers"),
+    'ten seconds before the last move of the levers that came before "fall" went wrong, at 0:33',
+  );
+  assert.equal(why("order"), 'ten seconds before the last order that came before "fall" went wrong, at 0:33');
+  assert.equal(why("due"), 'ten seconds before it was time for "fall", which went wrong at 0:33');
+  assert.equal(why("loss"), 'ten seconds before "fall" went wrong, at 0:33');
   assert.equal(
     why("loss", ["repeat", "pay out"]),
-    "ten seconds before fall went wrong, at 0:33; had gone wrong by then, and stands as it was: repeat, pay out",
+    'ten seconds before "fall" went wrong, at 0:33; had gone wrong by then, and stands as it was: repeat, pay out',
   );
+});
+
+test("marks say why a lesson was over before it was done", () => {
+  const it = { points: 0.7, lost: null, outcome: "not_yet", abort: "cable.lost" } as ClassExercise;
+  assert.match(marksOf(it), /^0\.7 of 100 points, not yet, ended: .*anchor and cable/);
+  assert.equal(marksOf({ ...it, abort: "" }), "0.7 of 100 points, not yet");
+});
+
+test("what is to be done after an attempt of another class is told with whose lesson and day it was", () => {
+  const after = { lesson: "L02", recording: "tue-1-17", began_at: "2026-11-30T12:00:00Z" };
+  const of = (recording: string) => ({ exercises: [{ recording } as ClassExercise] });
+  assert.match(afterSaid({ after }, of("mon-1-17")), /^after L02 on 30 November: $/);
+  assert.equal(afterSaid({ after }, of("tue-1-17")), "");
+  assert.equal(afterSaid({ after: null }, of("mon-1-17")), "");
 });
 
 test("an assessor's word stands with who gave it, and without points where nothing was assessed", () => {

@@ -10,6 +10,8 @@ import {
   headline,
   judgedBy,
   orderDone,
+  rightWords,
+  saidIn,
   toWorkOn,
   wentWell,
   whose,
@@ -79,6 +81,28 @@ test("what only was not broken is not told as done", () => {
   const names = (list: Criterion[]) => list.map(({ code }) => code);
   assert.deepEqual(names(did), ["reported", "brake on before the clutch"]);
   assert.deepEqual(names(kept), ["stopper closed from the beginning", "speed"]);
+});
+
+test("the limit of a cable that never ran is not told as kept", () => {
+  const limit = { met: true, counts: true, milli: 1000, kind: CriterionKind.CRITERION_LIMIT, unit: "m/s", limit: 3 };
+  const { kept } = wentWell([
+    criterion("pay out", { ...limit, worst: 0 }),
+    criterion("fall", { ...limit, worst: 2.4 }),
+    criterion("engine", { ...limit, unit: "", limit: 0.4, worst: 0 }),
+  ]);
+  assert.deepEqual(
+    kept.map(({ code }) => code),
+    ["fall", "engine"],
+  );
+});
+
+test("a report is right to which nothing was wanting, and stands there as it was said", () => {
+  assert.deepEqual([1000, 500, 0].map(rightWords), ["right", "nearly right: 50 % of its points", "not right"]);
+  const line = { tick: 1530, time: 153, side: 0, text: "reported: 4 shackles in the pipe, to order 4", left: false };
+  const log = [{ ...line, text: "reported: 3 shackles in the pipe", left: true }, line];
+  assert.equal(saidIn(log, { tick: 1530, side: 0 }), "4 shackles in the pipe");
+  assert.equal(saidIn(log, { tick: 1530, side: 1 }), undefined);
+  assert.equal(saidIn(log, { tick: 1531, side: 0 }), undefined);
 });
 
 test("the outcome is the server's, beside what is needed", () => {

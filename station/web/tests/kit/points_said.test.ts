@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { pointsFigure, pointsSaid, soFar } from "../../src/kit/points_said";
+import { pointsFigure, pointsSaid, rowSaid, shareSaid, soFar } from "../../src/kit/points_said";
 import { type Criterion, CriterionKind, CriterionState } from "../../src/wire/generated";
 
 const criterion = (weight: number, more: Partial<Criterion> = {}): Criterion =>
@@ -26,6 +26,33 @@ test("what is open is neither kept nor lost, and what is decided has its share o
   ];
   assert.deepEqual(soFar({ criteria }), { points: 12, lost: 8 });
   assert.deepEqual(soFar({ criteria: [] }), { points: 0, lost: 0 });
+});
+
+const limit = { kind: CriterionKind.CRITERION_LIMIT };
+
+test("what is lost for good of a limit is told before it is decided, and nothing of what may still come", () => {
+  const criteria = [
+    criterion(15, { ...limit, counted: 0, milli: 0 }),
+    criterion(10, { kind: CriterionKind.CRITERION_STATE_AT, counted: 700, milli: 700 }),
+    criterion(75, { kind: CriterionKind.CRITERION_FINAL, counted: 0, milli: 0 }),
+  ];
+  assert.deepEqual(soFar({ criteria }), { points: 0, lost: 18 });
+});
+
+test("rows stand in points of the 100 that their sum is of, and one that is open with what it can give", () => {
+  const met = { state: CriterionState.CRITERION_MET, tick: 50 };
+  const criteria = [
+    criterion(20, { ...met, counted: 600, milli: 600 }),
+    criterion(15, { ...limit, counted: 900, milli: 900 }),
+    criterion(5, { state: CriterionState.CRITERION_NOT_IN_PLAY, counts: false }),
+    criterion(30, { kind: CriterionKind.CRITERION_RUBRIC, state: CriterionState.CRITERION_NOT_IN_PLAY, counts: false }),
+  ];
+  const rows = (finished: boolean): string[] => criteria.map((one) => rowSaid(one, { criteria, finished }));
+  assert.deepEqual(rows(false), ["30.0 of 50.0", "\u2013 of 37.5", "\u2013 of 12.5", "\u2013"]);
+  assert.equal(soFar({ criteria }).points, 30);
+  Object.assign(criteria[1]!, met);
+  assert.deepEqual(rows(true), ["34.3 of 57.1", "38.6 of 42.9", "\u2013", "\u2013"], "as the debriefing has them");
+  assert.equal(shareSaid(criteria[0]!, 1000, { criteria, finished: true }), "57.1 of 57.1");
 });
 
 test("an assessor's word counts as soon as it is said, beside what was computed", () => {
