@@ -3,6 +3,7 @@
 #include "idl/payload.hpp"
 #include "server/dds/convert.hpp"
 #include "server/perceive/perceive.hpp"
+#include "sim/alert_topics.hpp"
 #include "sim/station_program.hpp"
 
 #include <nlohmann/json.hpp>
@@ -520,12 +521,9 @@ void Pages::tell(const run::Session& session, std::uint64_t server) {
     for (const run::AlertView& alert : session.alerts()) {
         Alert to;
         dds::convert(alert, to);
-        const auto tell = [&](const wire::TopicInfo& topic) {
+        on_topics_of(alert, [&](const wire::TopicInfo& topic) {
             impl.tell(topic, wire::encode(to), fmt::format("{}/{}", alert.code, alert.side), to.time());
-        };
-        if (alert.bridge_panel) tell(wire::topics::alert);
-        if (alert.deck_panel) tell(wire::topics::forecastle_alert);
-        if (!alert.bridge_panel && !alert.deck_panel) tell(wire::topics::server_alert);
+        });
     }
     const double now = impl.world.now();
     const run::RunStatus& status = session.status();

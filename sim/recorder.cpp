@@ -2,6 +2,7 @@
 
 #include "server/dds/convert.hpp"
 #include "server/dds/order_taken.hpp"
+#include "sim/alert_topics.hpp"
 
 #include "idl/payload.hpp"
 
@@ -90,7 +91,7 @@ void Recorder::hear(const run::Session& session) {
     for (const auto& event : session.events())
         publish(wire::topics::event, event, samples);
     for (const auto& alert : session.alerts())
-        publish(wire::topics::alert, alert, samples);
+        on_topics_of(alert, [&](const auto& topic) { publish(topic, alert, samples); });
     for (const auto& order : session.orders())
         publish(wire::topics::order_taken, order, samples);
     if (const auto& assessment = session.assessment())

@@ -56,14 +56,6 @@ void try_to_remove(files::Disk& disk, const fs::path& path) {
     }
 }
 
-/// What was made or removed there does not come back with the power, where the disk can be waited for.
-void try_to_sync(files::Disk& disk, const fs::path& folder) {
-    try {
-        if (disk.exists(folder)) disk.sync_folder(folder);
-    } catch (const std::system_error&) { // it may, then
-    }
-}
-
 std::string slow(const fs::path& folder) {
     return fmt::format("{}: what is written does not come to the disk within {} s", folder.string(),
                        kPatience.count());
@@ -108,6 +100,15 @@ void remove_kept(const fs::path& folder, files::Disk& disk) {
     for (const fs::path& file : attempts_files(folder, disk))
         try_to_remove(disk, file);
     try_to_remove(disk, folder);
+}
+
+void settle(files::Disk& disk, std::initializer_list<fs::path> folders) {
+    for (const fs::path& folder : folders) {
+        try {
+            disk.sync_folder(folder);
+        } catch (const std::system_error&) { // a disk that refuses hinders nobody
+        }
+    }
 }
 
 KeptExercise::KeptExercise(fs::path folder, std::string id, std::uint64_t definition_hash, files::Disk& disk,
@@ -362,8 +363,7 @@ void KeptExercise::fail(const std::string& why) {
 void KeptExercise::remove_all() {
     file_.reset();
     remove_kept(folder_, disk_);
-    for (const fs::path& folder : {folder_, folder_.parent_path()})
-        try_to_sync(disk_, folder);
+    settle(disk_, {folder_, folder_.parent_path()});
     before_ = kept_files(folder_, disk_); // that the disk refused to remove
     const std::lock_guard lock(mutex_);
     to_sync_ = synced_ = {};

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -39,6 +40,9 @@ std::vector<std::filesystem::path> attempts_files(const std::filesystem::path& f
 void forget_attempts(const std::filesystem::path& folder, files::Disk& disk = files::system_disk());
 /// Removes what is kept in the folder, and the folder.
 void remove_kept(const std::filesystem::path& folder, files::Disk& disk = files::system_disk());
+/// What was removed or put aside there stays so after a power cut, as far as the disk can be waited for: else
+/// a state that killed comes back, or an older course, or an exercise that had ended.
+void settle(files::Disk& disk, std::initializer_list<std::filesystem::path> folders);
 
 /// Takes what is new of a session from the thread that ticks, which never waits for it; writes it on a second
 /// thread, and waits for the disk on a third.

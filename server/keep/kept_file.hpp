@@ -7,6 +7,7 @@
 // here only `synced` is looked into: u64, up to which byte the file is known to be on the disk.
 
 #include "common/disk.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>

@@ -207,16 +207,6 @@ fs::path free_place(files::Disk& disk, const fs::path& aside, const std::string&
         if (fs::path place = aside / fmt::format("{}-{}", id, number); !disk.exists(place)) return place;
 }
 
-/// What was put aside stays there after a power cut: else a state that killed comes back, or an older course.
-void settle(files::Disk& disk, std::initializer_list<fs::path> folders) {
-    for (const fs::path& folder : folders) {
-        try {
-            disk.sync_folder(folder);
-        } catch (const std::system_error&) { // a disk that refuses hinders no start
-        }
-    }
-}
-
 /// Leaves the checkpoint of that file alone, without what is behind it, in one of its own: who is lost before
 /// he has a file of his own stands at that checkpoint again, and of him it counts anew. Throws KeptError.
 void leave_checkpoint(files::Disk& disk, const fs::path& file, const fs::path& alone) {

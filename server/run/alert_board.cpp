@@ -4,7 +4,7 @@
 
 namespace windlass::run {
 
-AlertView* AlertBoard::find(const std::string& code, int side) {
+AlertView* AlertBoard::find(std::string_view code, int side) {
     const auto found = std::find_if(alerts_.begin(), alerts_.end(),
                                     [&](const AlertView& a) { return a.code == code && a.side == side; });
     return found == alerts_.end() ? nullptr : &*found;
@@ -25,7 +25,7 @@ void AlertBoard::raise(AlertView alert) {
     change(*known, AlertCondition::active_unacknowledged, known->tick, known->time);
 }
 
-void AlertBoard::rectify(const std::string& code, int side, std::uint64_t tick, double time) {
+void AlertBoard::rectify(std::string_view code, int side, std::uint64_t tick, double time) {
     AlertView* alert = find(code, side);
     if (alert == nullptr) return;
     switch (alert->condition) {
@@ -42,7 +42,7 @@ void AlertBoard::rectify(const std::string& code, int side, std::uint64_t tick, 
     }
 }
 
-bool AlertBoard::stands(const std::string& code, int side, double time) const {
+bool AlertBoard::stands(std::string_view code, int side, double time) const {
     return std::any_of(alerts_.begin(), alerts_.end(), [&](const AlertView& a) {
         return a.code == code && a.side == side && a.raised_time <= time &&
                a.condition != AlertCondition::rectified_unacknowledged &&

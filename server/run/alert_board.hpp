@@ -4,6 +4,7 @@
 #include "server/run/received_order.hpp"
 #include "server/run/status.hpp"
 
+#include <string_view>
 #include <vector>
 
 namespace windlass::run {
@@ -17,10 +18,10 @@ public:
     void raise(AlertView alert);
 
     /// The condition ended: acknowledged alerts go back to normal, others wait for their acknowledgement.
-    void rectify(const std::string& code, int side, std::uint64_t tick, double time);
+    void rectify(std::string_view code, int side, std::uint64_t tick, double time);
 
     /// Whether it was raised, at time (s of exercise) or before, and its condition has not ended since.
-    bool stands(const std::string& code, int side, double time) const;
+    bool stands(std::string_view code, int side, double time) const;
 
     /// Acknowledges or silences at wall time now (s); false when there is no such alert, or nothing to do for
     /// it.
@@ -34,7 +35,7 @@ public:
     void clear_changes() { changes_.clear(); }
 
 private:
-    AlertView* find(const std::string& code, int side);
+    AlertView* find(std::string_view code, int side);
     void change(AlertView& alert, AlertCondition condition, std::uint64_t tick, double time);
 
     std::vector<AlertView> alerts_;

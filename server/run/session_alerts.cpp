@@ -6,6 +6,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <string_view>
+
 namespace windlass::run {
 
 namespace {
@@ -48,7 +50,7 @@ void Session::watch_what_stands() {
 /// Whether an alert is to be raised; ends it where what it tells of does not stand. One that was raised later
 /// than now is of a course that was gone back before, and is told anew.
 bool Session::comes_up(words::AlertCode code, int side, bool stands) {
-    const std::string name(code.row().name);
+    const std::string_view name = code.row().name;
     if (!stands) alerts_.rectify(name, side, tick_, time_);
     return stands && !alerts_.stands(name, side, time_);
 }

@@ -61,8 +61,8 @@ void Session::tell_when_the_bridge_gives_up() {
     if (at < 0) return;
     const double until = static_cast<double>(at) / rate;
     log("assessment.unanswered",
-        fmt::format("the bridge asks again: if it hears nothing it gives up at {:.0f} s, and the lesson ends",
-                    until),
+        fmt::format("the bridge asks again: if it hears nothing it gives up at {}, and the lesson ends",
+                    clock_text(until)),
         -1, until);
 }
 

@@ -71,8 +71,8 @@ void Session::restore(double time, const std::string& source) {
         refuse("ExerciseCommand", source, "restore_time", fmt::format("{}", time), error.what());
         return;
     }
-    log("exercise.restored", fmt::format("exercise restored to {:.2f} s, paused, by {}", time_, source), -1,
-        time_);
+    log("exercise.restored", fmt::format("exercise restored to {}, paused, by {}", clock_text(time_), source),
+        -1, time_);
     brief();
 }
 

@@ -48,7 +48,7 @@ void Session::carry_out(const StateOrder& order, const ReceivedOrder& from) {
         return;
     }
     log("exercise.restored",
-        fmt::format("exercise restored to {:.2f} s, paused, from {} by {}", time_,
+        fmt::format("exercise restored to {}, paused, from {} by {}", clock_text(time_),
                     order.from.empty() ? "a checkpoint" : order.from, from.source),
         -1, time_);
     brief();

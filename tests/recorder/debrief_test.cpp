@@ -790,7 +790,7 @@ TEST(DebriefTest, QuestionOfBeforeTheMomentThatAnAttemptGoesOnFromIsToldByWhatTh
     Event restored;
     restored.time(20);
     restored.code("exercise.restored");
-    restored.text("exercise restored to 20.00 s, paused, from monday at 0:20 by instructor");
+    restored.text("exercise restored to 0:20, paused, from monday at 0:20 by instructor");
     attempt.events.insert(attempt.events.begin(), restored);
     auto row = orders_said(attempt)[0];
     EXPECT_EQ(row.state, "answered");

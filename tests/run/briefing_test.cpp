@@ -213,7 +213,7 @@ TEST_F(EndOfALesson, IsForetoldToWhoHasTheTruthWhereTheBridgeHasNoAnswer) {
     EXPECT_EQ(count(session, "assessment.unanswered"), 0);
     run(session, 2 * silent.tick_rate_hz);
     EXPECT_EQ(text_of(session, "assessment.unanswered"),
-              "the bridge asks again: if it hears nothing it gives up at 24 s, and the lesson ends");
+              "the bridge asks again: if it hears nothing it gives up at 0:24, and the lesson ends");
 }
 
 TEST_F(EndOfALesson, IsForetoldAgainWhereARestoreLeadsIntoTheBridgesAsking) {
@@ -231,7 +231,7 @@ TEST_F(EndOfALesson, IsForetoldAgainWhereARestoreLeadsIntoTheBridgesAsking) {
     session.clear_news();
     give(session, back);
     EXPECT_EQ(text_of(session, "assessment.unanswered"),
-              "the bridge asks again: if it hears nothing it gives up at 24 s, and the lesson ends");
+              "the bridge asks again: if it hears nothing it gives up at 0:24, and the lesson ends");
     session.clear_news();
     back.restore_time = 0;
     give(session, back);

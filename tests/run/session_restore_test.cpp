@@ -147,7 +147,7 @@ TEST_F(SessionRestore, StateOfAnotherExerciseTakesThePlaceOfThisOnePaused) {
     ASSERT_NE(session.checkpoint(), nullptr);
     EXPECT_EQ(session.checkpoint()->data, bytes);
     EXPECT_EQ(text_of(session, "exercise.restored"),
-              "exercise restored to 0.50 s, paused, from monday at 0:00 by instructor");
+              "exercise restored to 0:00, paused, from monday at 0:00 by instructor");
 
     exercise::Exercise on = exercise::read_checkpoint(bytes);
     give(session, run_order(RunAction::start), 5.1);

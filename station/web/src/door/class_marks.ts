@@ -39,8 +39,8 @@ const notJudged = ({ bridge_judged }: TrainingClass): string =>
 const kLook = 2000; // ms
 
 /**
- * From where a class goes on, and why: 'ten seconds before "fall" went wrong, at
- * 0:33'. Behind it what stands then: "had gone wrong by then, and stands as it was: orders".
+ * From where a class goes on, and why: 'ten seconds before "fall" went wrong, at 0:33'. Behind it what stands then:
+ * "had gone wrong by then, and stands as it was: orders".
  */
 export function whyFrom({ before, lost, lost_at, standing }: From): string {
   const why = whyBefore(before, { lost, at: clock(lost_at) });

@@ -29,6 +29,7 @@ const kToWorkOn = 3; // criteria that are named first: nobody mends ten things a
 const kNotInPlay = CriterionState.CRITERION_NOT_IN_PLAY;
 const kFull = 1000; // that a mark can be
 const kReports = 200; // that the log tells of
+const kStill = 0.001; // of a limit: nothing ran
 
 /** Points that a criterion has lost, of its weight. */
 const lost = (criterion: Criterion): number => (criterion.weight * (1000 - criterion.counted)) / 1000;
@@ -50,7 +51,6 @@ export function toWorkOn(criteria: Criterion[]): Criterion[] {
 /** Whether nothing ran of which a limit bounds the speed: there was nothing to keep. */
 const neverRan = ({ kind, unit, limit, worst }: Criterion): boolean =>
   kind === CriterionKind.CRITERION_LIMIT && unit === "m/s" && Math.abs(worst) < kStill * limit;
-const kStill = 0.001; // of the limit
 
 /**
  * What went well: what was done, and what only was not broken, which is no deed to praise. The limit of a cable that

@@ -14,7 +14,7 @@ import {
   StayGiven,
 } from "../wire/generated";
 import { translated, translatedAs } from "./language";
-import { type Unit, clock, sideName, sideWord } from "./units";
+import { type Unit, sideName, sideWord } from "./units";
 import { endings, modelSteps, serverSentences } from "./server_sentences";
 
 type Enumeration = keyof typeof enumerations;
@@ -217,16 +217,8 @@ export function endingSaid(abort: string): string {
   return abort;
 }
 
-/** The server writes a moment of the exercise in seconds, "gives up at 378 s"; pages read "6:18". */
-const withClock = (text: string): string =>
-  text.replace(
-    /\b(gives up at|restored to) ([\d.]+) s\b/,
-    (_, what: string, s: string) => `${what} ${clock(Number(s))}`,
-  );
-
 /** An event's sentence in the person's language, as it came where that has none. */
-export function eventText({ code, text: told }: { code: string; text: string }): string {
-  const given = withClock(told);
+export function eventText({ code, text: given }: { code: string; text: string }): string {
   const text = code.startsWith("fault.") ? withFaultSaid(given) : given;
   const row = eventRows.find((each) => each.const === code || each.seat_code === code);
   const sentences = [row?.seat_said, row?.said, ...(serverSentences[code] ?? [])];

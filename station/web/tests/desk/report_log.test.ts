@@ -142,7 +142,7 @@ test("what a restore has left is gone; the order that a report answers is not sa
   const early = desk();
   early.event(10, "report.made", 0, "reported: repeats: let go port anchor, to order 4");
   early.logs(50, letGo);
-  early.event(20, "exercise.restored", -1, "exercise restored to 20 s, paused, by instructor");
+  early.event(20, "exercise.restored", -1, "exercise restored to 0:20, paused, by instructor");
   early.event(25, "report.not_heard", 0, "no answer from the bridge; reported: port anchor is let go");
   assert.deepEqual(
     early.lines().map(({ time, words }) => [time, words]),

@@ -34,12 +34,12 @@ void test("sentences that the server makes up are read in German", () => {
     ["classroom.removed", "exercise anna removed by desk-1", "Übung anna entfernt von desk-1"],
     [
       "assessment.unanswered",
-      "the bridge asks again: if it hears nothing it gives up at 378 s, and the lesson ends",
+      "the bridge asks again: if it hears nothing it gives up at 6:18, and the lesson ends",
       "die Brücke fragt noch einmal: hört sie nichts, gibt sie bei 6:18 auf, und die Lektion endet",
     ],
     [
       "exercise.restored",
-      "exercise restored to 62.50 s, paused, from monday at 0:00 by desk-1",
+      "exercise restored to 1:02, paused, from monday at 0:00 by desk-1",
       "Übung zurückgesetzt auf 1:02, angehalten, nach monday at 0:00, von desk-1",
     ],
     ["exercise.finished", "exercise finished: by desk-1", "Übung beendet von desk-1"],
