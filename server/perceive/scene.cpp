@@ -83,6 +83,7 @@ void describe_tackle(const exercise::ExerciseDef& def, const exercise::GroundTac
     to.breaking_load(physics::breaking_load(tackle.chain));
     to.rated_pull(windlass.rated_pull);
     to.rated_speed(windlass.rated_speed);
+    to.rated_current(windlass.drive == physics::DriveKind::hydraulic ? 0 : windlass.motor_current_rated);
     to.counter_fitted(aids.counter);
     to.load_cell_fitted(aids.load_cell);
 }

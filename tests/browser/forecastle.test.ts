@@ -113,6 +113,12 @@ after(async () => {
 });
 afterEach(() => hadNoProblems(page));
 
+test("the ammeter has a red line at the motor's rated current, and says what it is", async () => {
+  const motor = page.getByRole("meter", { name: "motor" });
+  await eventually("it stands on the face", async () => (await motor.locator(".red-line").count()) === 1);
+  assert.equal(await motor.getAttribute("title"), "red line: rated current, 180 A");
+});
+
 describe("levers as found", () => {
   test("a page that only looks on takes nothing", async () => {
     await eventually("nobody has the levers", async () => (await owner()) === "nobody");

@@ -103,6 +103,9 @@ TEST(Scene, TellsWhatTheTackleIs) {
             EXPECT_EQ(told.chain_diameter(), tackle.chain.diameter);
             EXPECT_EQ(told.breaking_load(), physics::breaking_load(tackle.chain));
             EXPECT_EQ(told.brake_rating(), tackle.windlass.brake_rating);
+            EXPECT_EQ(told.rated_current(),
+                      told.drive() == "hydraulic" ? 0 : tackle.windlass.motor_current_rated)
+                << "by the plate of an electric motor";
             EXPECT_EQ(told.pockets(), 5);
             EXPECT_TRUE(told.counter_fitted());
             EXPECT_FALSE(told.load_cell_fitted());

@@ -35,7 +35,7 @@ function arc(from: number, to: number, radius: number): string {
   return `M ${x0.toFixed(2)} ${y0.toFixed(2)} A ${radius} ${radius} 0 ${large} 1 ${x1.toFixed(2)} ${y1.toFixed(2)}`;
 }
 
-/** A round gauge with a needle, a band from a limit on, and its figure with unit below. */
+/** A round gauge with a needle, a band from a limit on, a red line, and its figure with unit below. */
 export class Dial {
   readonly element: HTMLElement;
   private readonly needle = svg("path", { d: "M -4 0 L -1.2 -36 L 1.2 -36 L 4 0 Z", class: "needle" });
@@ -78,9 +78,9 @@ export class Dial {
     setText(this.range, text);
   }
 
-  /** value, end of the scale and limit (undefined: none) in that unit. */
-  show(value: number, end: number, unit: string, decimals: number, limit?: number): void {
-    this.draw(end, limit);
+  /** value, end of the scale, limit and red line (undefined: none) in that unit. */
+  show(value: number, end: number, unit: string, decimals: number, limit?: number, redLine?: number): void {
+    this.draw(end, limit, redLine);
     setAttribute(this.element, "data-unmeasured", undefined);
     const share = Math.min(1.02, Math.max(0, value / end));
     setAttribute(this.needle, "transform", `rotate(${(kBeginning + kSweep * share + 90).toFixed(1)})`);
@@ -102,8 +102,8 @@ export class Dial {
     setAttribute(this.element, "data-over", undefined);
   }
 
-  private draw(end: number, limit: number | undefined): void {
-    const kind = `${end}/${limit}`;
+  private draw(end: number, limit: number | undefined, redLine: number | undefined): void {
+    const kind = `${end}/${limit}/${redLine}`;
     if (this.drawn === kind) return;
     this.drawn = kind;
     setAttribute(this.element, "aria-valuemin", "0");
@@ -115,6 +115,10 @@ export class Dial {
       const [x1, y1] = at(i / (2 * steps), 43);
       return svg("line", { x1: x0, y1: y0, x2: x1, y2: y1, class: "tick" });
     });
+    const across = (share: number): SVGElement => {
+      const [[x0, y0], [x1, y1]] = [at(share, 36), at(share, 49)];
+      return svg("line", { x1: x0, y1: y0, x2: x1, y2: y1, class: "red-line" });
+    };
     const labels = Array.from({ length: steps + 1 }, (_, i) => {
       const last = i === 0 || i === steps; // those at the ends stand below the arc
       const [x, y] = at(i / steps, last ? 41 : 29);
@@ -125,6 +129,7 @@ export class Dial {
       ...(limit !== undefined && limit < end ? [svg("path", { d: arc(limit / end, 1, 46), class: "band" })] : []),
       ...ticks,
       ...labels,
+      ...(redLine !== undefined ? [across(redLine / end)] : []),
     );
   }
 }
@@ -226,11 +231,12 @@ export class Gauges {
   }
 
   private showMotor(view: ForecastleView, tackle: SceneTackle | undefined): void {
-    if (tackle?.drive === "hydraulic") {
-      this.motor.show(view.motor_pressure / 1e5, kPressureEnd, "bar", 0);
-      return;
-    }
-    this.motor.show(view.motor_current, tackle ? ammeterEnd(tackle) : 500, "A", 0);
+    const { unit, end, redLine } = motorFace(tackle);
+    const value = unit === "bar" ? view.motor_pressure / 1e5 : view.motor_current;
+    this.motor.show(value, end, unit, 0, undefined, redLine);
+    const said =
+      redLine === undefined ? undefined : t("red line: rated current, {amperes} A", { amperes: figure(redLine) });
+    setAttribute(this.motor.element, "title", said);
   }
 
   private light(name: Lamp, on: boolean, warns: boolean): void {
@@ -245,13 +251,22 @@ export class Gauges {
 }
 
 const kPressureEnd = 200; // bar: the face of the gauge; relief valves of low-pressure hydraulics open at 130
+const kUnknownEnd = 500; // A, until the page is told of its windlass
 const kCurrentAtStall = 2; // of rated current, that an ammeter's face must show
 
-const kWattPerAmpere = 361; // of chain at rated pull and speed, as the windlasses of config/windlasses have it
+/** The face of a motor's gauge; redLine: where it has one. */
+export interface MotorFace {
+  unit: "A" | "bar";
+  end: number;
+  redLine?: number;
+}
 
 /**
- * A, to which the face of an ammeter goes: as far as a motor draws that stalls. The rated current itself is not told to
- * a page, and so it has no mark.
+ * An ammeter goes as far as a motor draws that stalls, with the red line of a starter's panel at the rated current; a
+ * hydraulic drive has a pressure gauge in its place.
  */
-export const ammeterEnd = ({ rated_pull, rated_speed }: Pick<SceneTackle, "rated_pull" | "rated_speed">): number =>
-  scaleEnd((kCurrentAtStall * rated_pull * rated_speed) / kWattPerAmpere);
+export function motorFace(tackle: Pick<SceneTackle, "drive" | "rated_current"> | undefined): MotorFace {
+  if (tackle?.drive === "hydraulic") return { unit: "bar", end: kPressureEnd };
+  if (!tackle) return { unit: "A", end: kUnknownEnd };
+  return { unit: "A", end: scaleEnd(kCurrentAtStall * tackle.rated_current), redLine: tackle.rated_current };
+}

@@ -5,10 +5,10 @@ import { readFile, readdir } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
 import schema from "../../../../config/schema/windlass.schema.json";
-import { ammeterEnd } from "../../src/forecastle/gauges";
+import { motorFace } from "../../src/forecastle/gauges";
 import { root } from "../../tools/web.mjs";
 
-const plate = ["rated_pull", "rated_speed", "stall_pull", "motor_current_rated"] as const;
+const plate = ["rated_pull", "stall_pull", "motor_current_rated"] as const;
 
 test("an ammeter's face has the current at which the motor of each windlass stalls, and little more", async () => {
   const folder = join(root, "config/windlasses");
@@ -17,8 +17,19 @@ test("an ammeter's face has the current at which the motor of each windlass stal
     const own = JSON.parse(await readFile(join(folder, file), "utf8")) as Record<string, unknown>;
     if (own.drive === "hydraulic") continue;
     const of = (name: (typeof plate)[number]): number => (own[name] ?? schema.properties[name].default) as number;
-    const atStall = (of("stall_pull") / of("rated_pull")) * of("motor_current_rated");
-    const end = ammeterEnd({ rated_pull: of("rated_pull"), rated_speed: of("rated_speed") });
+    const rated = of("motor_current_rated");
+    const atStall = (of("stall_pull") / of("rated_pull")) * rated;
+    const { unit, end, redLine } = motorFace({ drive: "electric_vfd", rated_current: rated });
+    assert.equal(unit, "A");
+    assert.equal(redLine, rated, file);
     assert.ok(end >= atStall && end < 1.5 * atStall, `${file}: ${end} A, at stall ${atStall} A`);
   }
+});
+
+test("a hydraulic drive has a pressure gauge, and no motor's red line", () => {
+  assert.deepEqual(motorFace({ drive: "hydraulic", rated_current: 0 }), { unit: "bar", end: 200 });
+});
+
+test("an ammeter whose windlass is not known yet has no red line", () => {
+  assert.equal(motorFace(undefined).redLine, undefined);
 });
