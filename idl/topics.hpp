@@ -162,13 +162,22 @@ inline constexpr Topic<Event> event{{.name = "Event",
                                      .reliable = true,
                                      .transient_local = true,
                                      .depth = 1000}};
-inline constexpr Topic<SeatEvent> seat_event{{.name = "SeatEvent",
-                                              .type = "SeatEvent",
-                                              .from_server = true,
-                                              .rate = 0,
-                                              .reliable = true,
-                                              .transient_local = true,
-                                              .depth = 1000}};
+/// What is noticed on the forecastle.
+inline constexpr Topic<SeatEvent> forecastle_event{{.name = "ForecastleEvent",
+                                                    .type = "SeatEvent",
+                                                    .from_server = true,
+                                                    .rate = 0,
+                                                    .reliable = true,
+                                                    .transient_local = true,
+                                                    .depth = 1000}};
+/// What is noticed on the bridge.
+inline constexpr Topic<SeatEvent> bridge_event{{.name = "BridgeEvent",
+                                                .type = "SeatEvent",
+                                                .from_server = true,
+                                                .rate = 0,
+                                                .reliable = true,
+                                                .transient_local = true,
+                                                .depth = 1000}};
 inline constexpr Topic<SeatEvent> forecastle_instruction{{.name = "ForecastleInstruction",
                                                           .type = "SeatEvent",
                                                           .from_server = true,
@@ -438,7 +447,7 @@ inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCo
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 55> all{exercise_status,
+inline constexpr std::array<TopicInfo, 56> all{exercise_status,
                                                exercise_truth,
                                                environment_state,
                                                ship_state,
@@ -457,7 +466,8 @@ inline constexpr std::array<TopicInfo, 55> all{exercise_status,
                                                chart,
                                                landmarks,
                                                event,
-                                               seat_event,
+                                               forecastle_event,
+                                               bridge_event,
                                                forecastle_instruction,
                                                bridge_instruction,
                                                forecastle_question,

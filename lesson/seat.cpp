@@ -87,7 +87,10 @@ void Seat::notice(const exercise::ExerciseEvent& event, const exercise::Snapshot
     auto noticed = perceive::perceive_event(event, seen);
     if (!noticed) return;
     noticed->number(++noticed_);
-    picture_.receive(*noticed, at(seen.time));
+    if (noticed->forecastle())
+        picture_.take_forecastle_event(*noticed, at(seen.time));
+    else
+        picture_.take_bridge_event(*noticed, at(seen.time));
 }
 
 void Seat::perform(const trainee::Step& step, std::vector<run::ReceivedOrder>& orders) {

@@ -3,8 +3,8 @@
 #include "idl/payload.hpp"
 #include "server/dds/convert.hpp"
 #include "server/perceive/perceive.hpp"
-#include "sim/alert_topics.hpp"
 #include "sim/station_program.hpp"
+#include "sim/told_topics.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -268,9 +268,9 @@ Pages::Impl::Impl(World& its_world, Network& its_network, std::uint64_t seed, Sa
     const bool takes_part = chance.in(0.5) || all, works = chance.in(0.4) || all;
     if (!takes_part) return;
     digest = 14695981039346656037ULL;
-    const std::vector<std::string> deck{"ExerciseStatus", "SeatEvent", "ForecastleAlert"};
+    const std::vector<std::string> deck{"ExerciseStatus", "ForecastleEvent", "ForecastleAlert"};
     std::vector<std::string> both = deck;
-    both.emplace_back("Alert");
+    both.insert(both.end(), {"BridgeEvent", "Alert"});
     std::vector<std::string> truth = both;
     truth.insert(truth.end(), {"Event", "ShipState", "ServerAlert"});
     add(station::Seat::watcher, "watch", both, false);
@@ -311,8 +311,8 @@ void Pages::Impl::start(Program& program) {
     program.runs = std::make_unique<StationProgram>(world, network, program.options);
     // What the server's writers have for who comes late.
     for (const wire::TopicInfo* topic : std::initializer_list<const wire::TopicInfo*>{
-             &wire::topics::event, &wire::topics::seat_event, &wire::topics::alert,
-             &wire::topics::forecastle_alert, &wire::topics::server_alert})
+             &wire::topics::event, &wire::topics::forecastle_event, &wire::topics::bridge_event,
+             &wire::topics::alert, &wire::topics::forecastle_alert, &wire::topics::server_alert})
         for (const ToldPtr& sample : told.stands(topic->name))
             send_on(program, sample);
     if (const ToldPtr status = told.newest(wire::topics::exercise_status.name)) send_on(program, status);
@@ -370,7 +370,7 @@ void Pages::Impl::arrive(Program& program, const ToldPtr& sample) {
         if (page->connection) page->connection->checks.is_told(sample);
     const std::string_view name = sample->topic->name;
     if (sabotages(Sabotage::page_state_lost) && name == wire::topics::exercise_status.name) return;
-    const bool told_once = name == wire::topics::event.name || name == wire::topics::seat_event.name;
+    const bool told_once = name == wire::topics::event.name || name == wire::topics::forecastle_event.name;
     if (sabotages(Sabotage::page_event_lost) && told_once && !std::exchange(sabotaged, true)) return;
     program.runs->hear(*sample);
 }
@@ -515,7 +515,9 @@ void Pages::tell(const run::Session& session, std::uint64_t server) {
         if (perceive::is_instruction(event)) continue;
         if (auto noticed = perceive::perceive_event(event, session.snapshot())) {
             noticed->number(++impl.seat_events);
-            impl.tell(wire::topics::seat_event, wire::encode(*noticed), "", noticed->time());
+            on_topics_of(*noticed, [&](const wire::TopicInfo& topic) {
+                impl.tell(topic, wire::encode(*noticed), "", noticed->time());
+            });
         }
     }
     for (const run::AlertView& alert : session.alerts()) {

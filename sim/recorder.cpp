@@ -2,7 +2,7 @@
 
 #include "server/dds/convert.hpp"
 #include "server/dds/order_taken.hpp"
-#include "sim/alert_topics.hpp"
+#include "sim/told_topics.hpp"
 
 #include "idl/payload.hpp"
 

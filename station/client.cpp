@@ -89,7 +89,11 @@ struct Client::Link {
     Ear<ForecastleView> forecastle = hear(on_forecastle(seat), wire::topics::forecastle_view);
     Ear<BridgeView> bridge = hear(on_bridge(seat), wire::topics::bridge_view);
     Ear<Report> report = hear(on_bridge(seat), wire::topics::report);
-    Ear<SeatEvent> seat_event = hear(seat != Seat::instructor, wire::topics::seat_event);
+    Ear<SeatEvent> forecastle_event =
+        hear(on_forecastle(seat), wire::topics::forecastle_event, &Picture::take_forecastle_event);
+    Ear<SeatEvent> bridge_event =
+        hear(on_bridge(seat), wire::topics::bridge_event,
+             on_forecastle(seat) ? &Picture::take_event_beside : &Picture::take_bridge_event);
     Ear<SeatEvent> forecastle_instruction =
         hear(on_forecastle(seat), wire::topics::forecastle_instruction, &Picture::take_instruction);
     Ear<SeatEvent> bridge_instruction =

@@ -11,8 +11,8 @@ namespace windlass::station {
 
 /// Who sits at the station. It decides which topics are heard, as the roles of config/security/roles.txt do.
 enum class Seat {
-    forecastle, ///< ForecastleView, SeatEvent, BridgeOrder, ForecastleAlert
-    conning,    ///< the same with BridgeView, Report and Alert in place of ForecastleView and ForecastleAlert
+    forecastle, ///< ForecastleView, ForecastleEvent, BridgeOrder, ForecastleAlert
+    conning,    ///< BridgeView, BridgeEvent, BridgeOrder, Report, Alert
     trainee,    ///< one person on both
     watcher,    ///< hears what a trainee does, and gives no orders
     coach,      ///< a trainee's, and the truth: for scripts that look at it

@@ -116,8 +116,17 @@ void Picture::receive(const ForecastleView& sample, Clock::time_point now) {
 void Picture::receive(const Event& sample, Clock::time_point) {
     events.receive(sample);
 }
-void Picture::receive(const SeatEvent& sample, Clock::time_point) {
-    seat_events.receive(sample);
+
+void Picture::take_forecastle_event(const SeatEvent& sample, Clock::time_point) {
+    seat_events[0].receive(sample);
+}
+
+void Picture::take_bridge_event(const SeatEvent& sample, Clock::time_point) {
+    seat_events[1].receive(sample);
+}
+
+void Picture::take_event_beside(const SeatEvent& sample, Clock::time_point) {
+    seat_events[1].receive(sample, sample.forecastle());
 }
 
 void Picture::take_forecastle_question(const Question& sample, Clock::time_point now) {
@@ -156,8 +165,10 @@ void Picture::receive(const Report& sample, Clock::time_point) {
 
 std::optional<std::string> Picture::refusal(const std::string& source, const LogsRead& seen,
                                             double since) const {
-    const auto truth_told = refused_in(events, seen.events, source, since);
-    return truth_told ? truth_told : refused_in(seat_events, seen.seat_events, source, since);
+    auto told = refused_in(events, seen.events, source, since);
+    for (std::size_t seat = 0; seat < seat_events.size() && !told; ++seat)
+        told = refused_in(seat_events[seat], seen.seat_events[seat], source, since);
+    return told;
 }
 
 const BridgeOrder* Picture::order_to_repeat() const {

@@ -61,17 +61,21 @@ struct Log {
 /// Events of this run. T: Event or SeatEvent.
 template <class T>
 struct EventLog : Log<T> {
-    /// A number that goes back is of a run that begins again: what was kept is forgotten.
-    void receive(const T& sample) {
-        if (!this->kept.empty() && sample.number() <= this->kept.back().number()) this->kept.clear();
-        this->add(sample);
+    std::uint64_t newest = 0; ///< number of the last that came
+
+    /// A number that goes back is of a run that begins again: what was kept is forgotten. beside: another log
+    /// of this station has it.
+    void receive(const T& sample, bool beside = false) {
+        if (sample.number() <= newest) this->kept.clear();
+        newest = sample.number();
+        if (!beside) this->add(sample);
     }
 };
 
 /// How far the logs had been read.
 struct LogsRead {
-    std::uint64_t events = 0, seat_events = 0;
-    std::array<std::uint64_t, 2> instructions{};
+    std::uint64_t events = 0;
+    std::array<std::uint64_t, 2> seat_events{}, instructions{};
 };
 
 /// Largest values met at one windlass since the start of the run, SI: the truth.
@@ -121,7 +125,8 @@ struct Picture {
     Latest<HelmCommand> instructor_helm;
 
     Latest<BridgeView> bridge; ///< what a seat is given, this and the one below
-    EventLog<SeatEvent> seat_events;
+    /// What is noticed there: forecastle, bridge. A station of both has what both notice in the first.
+    std::array<EventLog<SeatEvent>, 2> seat_events;
     /// Briefing and hints that are told to one seat alone: forecastle, bridge.
     std::array<EventLog<SeatEvent>, 2> instructions;
     /// What is asked at a freeze: forecastle, bridge; an empty id: nothing any more.
@@ -143,7 +148,10 @@ struct Picture {
     void receive(const ForecastleView& sample, Clock::time_point now);
     void receive(const BridgeView& sample, Clock::time_point now);
     void receive(const Event& sample, Clock::time_point now);
-    void receive(const SeatEvent& sample, Clock::time_point now);
+    void take_forecastle_event(const SeatEvent& sample, Clock::time_point now);
+    void take_bridge_event(const SeatEvent& sample, Clock::time_point now);
+    /// One of the bridge's at a station that has those of the forecastle, too.
+    void take_event_beside(const SeatEvent& sample, Clock::time_point now);
     void take_instruction(const SeatEvent& sample, Clock::time_point now);
     void take_forecastle_question(const Question& sample, Clock::time_point now);
     void take_bridge_question(const Question& sample, Clock::time_point now);
@@ -160,7 +168,9 @@ struct Picture {
 
     /// How many events came so far.
     LogsRead logs_read() const {
-        return {events.received, seat_events.received, {instructions[0].received, instructions[1].received}};
+        return {events.received,
+                {seat_events[0].received, seat_events[1].received},
+                {instructions[0].received, instructions[1].received}};
     }
 
     /// The server's words when it refused an order of that source, among the events after those seen that are

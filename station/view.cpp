@@ -42,11 +42,12 @@ private:
     void show_news(const Picture& picture) {
         for (const Event& event : picture.events.after(read_.events))
             show(event);
-        for (const SeatEvent& event : picture.seat_events.after(read_.seat_events))
-            show(event);
-        for (const std::size_t seat : {0U, 1U})
+        for (const std::size_t seat : {0U, 1U}) {
+            for (const SeatEvent& event : picture.seat_events.at(seat).after(read_.seat_events.at(seat)))
+                show(event);
             for (const SeatEvent& event : picture.instructions.at(seat).after(read_.instructions.at(seat)))
                 show(event);
+        }
         read_ = picture.logs_read();
         for (const BridgeOrder& order : picture.orders) {
             // An order goes through a few states, each told once.

@@ -195,12 +195,13 @@ bool touches_bottom(AnchorPhase phase) {
            phase == ANCHOR_DRAGGING;
 }
 
-/// Whether the log has an event of that code.
-template <class T>
-Finding seen_in(const station::EventLog<T>& log, const char* what, const std::string& code) {
-    const bool seen =
-        std::ranges::any_of(log.kept, [&](const T& event) { return event.code() == code.c_str(); });
-    return {seen, fmt::format("{} {} (not seen)", what, code)};
+/// Whether one of the logs has an event of that code.
+template <class... T>
+Finding seen_in(const char* what, const std::string& code, const station::EventLog<T>&... logs) {
+    const auto seen = [&](const auto& log) {
+        return std::ranges::any_of(log.kept, [&](const auto& event) { return event.code() == code.c_str(); });
+    };
+    return {(seen(logs) || ...), fmt::format("{} {} (not seen)", what, code)};
 }
 
 /// Clutch and stopper, as the windlass shows them; WindlassLoad and ForecastleView name them alike.
@@ -253,8 +254,10 @@ std::vector<Finding> findings(const Condition& when, const Picture& picture, int
         look_at_windlass(when, *one.load, true, all);
     else
         look_at_windlass(when, *one.view, bool(one.view), all);
-    if (when.event) all.push_back(seen_in(picture.events, "event", *when.event));
-    if (when.seat_event) all.push_back(seen_in(picture.seat_events, "seat event", *when.seat_event));
+    if (when.event) all.push_back(seen_in("event", *when.event, picture.events));
+    if (when.seat_event)
+        all.push_back(
+            seen_in("seat event", *when.seat_event, picture.seat_events[0], picture.seat_events[1]));
     if (when.order) {
         const BridgeOrder* waiting = picture.order_to_repeat();
         all.push_back(look_for(waiting && waiting->code() == *when.order,

@@ -39,7 +39,7 @@ static struct heard topics[] = {
     {"WindlassLoad", &windlass_v11_WindlassLoad_desc, false, true, 0, 0},
     {"CableForce", &windlass_v11_CableForce_desc, false, true, 0, 0},
     {"BridgeView", &windlass_v11_BridgeView_desc, false, true, 0, 0},
-    {"SeatEvent", &windlass_v11_SeatEvent_desc, true, false, 0, 0},
+    {"BridgeEvent", &windlass_v11_SeatEvent_desc, true, false, 0, 0},
     {"BridgeOrder", &windlass_v11_BridgeOrder_desc, true, false, 0, 0},
     {"Alert", &windlass_v11_Alert_desc, true, false, 0, 0},
 };

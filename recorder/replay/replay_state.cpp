@@ -48,8 +48,8 @@ std::string key_of(const std::string& topic, mcap::Bytes payload) {
 
 /// Topics by what a late joiner gets of them: all, the last of every key, the last.
 struct Kept {
-    std::set<std::string> all{wire::topics::event.name, wire::topics::seat_event.name,
-                              wire::topics::forecastle_instruction.name,
+    std::set<std::string> all{wire::topics::event.name, wire::topics::forecastle_event.name,
+                              wire::topics::bridge_event.name, wire::topics::forecastle_instruction.name,
                               wire::topics::bridge_instruction.name};
     std::set<std::string> by_key{wire::topics::alert.name, wire::topics::forecastle_alert.name,
                                  wire::topics::server_alert.name, wire::topics::bridge_order.name};

@@ -81,7 +81,8 @@ Writers::Writers(wire::Participant& participant)
       bridge(participant, wire::topics::bridge_view),
       forecastle_ghost(participant, wire::topics::forecastle_ghost),
       bridge_ghost(participant, wire::topics::bridge_ghost),
-      seat_event(participant, wire::topics::seat_event),
+      forecastle_event(participant, wire::topics::forecastle_event),
+      bridge_event(participant, wire::topics::bridge_event),
       forecastle_instruction(participant, wire::topics::forecastle_instruction),
       bridge_instruction(participant, wire::topics::bridge_instruction),
       forecastle_question(participant, wire::topics::forecastle_question),
@@ -109,7 +110,8 @@ Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
       alerts_(kAlerts),
       forecastle_alerts_(kAlerts),
       server_alerts_(kAlerts),
-      seat_events_(kEvents),
+      forecastle_events_(kEvents),
+      bridge_events_(kEvents),
       forecastle_instructions_(kInstructions),
       bridge_instructions_(kInstructions),
       forecastle_questions_(kQuestions),
@@ -263,24 +265,25 @@ void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snap
     offer(event);
     if (seat_event_run_ != run.run) {
         seat_event_run_ = run.run;
-        seat_event_number_ = 0;
+        seat_event_number_ = {};
         instruction_number_ = {};
     }
     auto noticed = perceive::perceive_event(event, seen);
     if (!noticed) return;
-    const auto [ring, number] = [&]() -> std::pair<SpscRing<SeatEvent>&, std::uint64_t&> {
-        if (!perceive::is_instruction(event)) return {seat_events_, seat_event_number_};
-        if (noticed->forecastle()) return {forecastle_instructions_, instruction_number_[0]};
-        return {bridge_instructions_, instruction_number_[1]};
-    }();
-    noticed->number(++number);
-    if (SeatEvent* slot = ring.free_slot()) {
-        *slot = std::move(*noticed);
-        ring.push();
-        pool_.ring(*this);
-    } else {
-        ++dropped_;
-    }
+    const auto tell = [&](SpscRing<SeatEvent>& ring, std::uint64_t& number) {
+        noticed->number(++number);
+        if (SeatEvent* slot = ring.free_slot()) {
+            *slot = *noticed;
+            ring.push();
+            pool_.ring(*this);
+        } else {
+            ++dropped_;
+        }
+    };
+    const bool alone = perceive::is_instruction(event);
+    auto& numbers = alone ? instruction_number_ : seat_event_number_;
+    if (noticed->forecastle()) tell(alone ? forecastle_instructions_ : forecastle_events_, numbers[0]);
+    if (noticed->bridge()) tell(alone ? bridge_instructions_ : bridge_events_, numbers[1]);
 }
 
 /// The surface, when it became another: at an order, at the end of its ramp, and as the tide rises or falls.
@@ -343,7 +346,7 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
         return std::max(std::chrono::milliseconds(0), std::chrono::duration_cast<std::chrono::milliseconds>(
                                                           end - std::chrono::steady_clock::now()));
     };
-    while (!(outputs_.empty() && events_.empty() && seat_events_.empty() &&
+    while (!(outputs_.empty() && events_.empty() && forecastle_events_.empty() && bridge_events_.empty() &&
              forecastle_instructions_.empty() && bridge_instructions_.empty() &&
              forecastle_questions_.empty() && bridge_questions_.empty() && alerts_.empty() &&
              forecastle_alerts_.empty() && server_alerts_.empty() && bridge_orders_.empty() &&
@@ -355,7 +358,8 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     // First what a console waits for that stopped an exercise, with which its server may end.
     writers_.status.wait_acknowledged(left());
     writers_.event.wait_acknowledged(left());
-    writers_.seat_event.wait_acknowledged(left());
+    writers_.forecastle_event.wait_acknowledged(left());
+    writers_.bridge_event.wait_acknowledged(left());
     writers_.forecastle_instruction.wait_acknowledged(left());
     writers_.bridge_instruction.wait_acknowledged(left());
     writers_.forecastle_question.wait_acknowledged(left());
@@ -381,7 +385,9 @@ bool Publisher::write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& write
 
 void Publisher::write_waiting() {
     for (;;) {
-        if (write_oldest(events_, writers_.event) || write_oldest(seat_events_, writers_.seat_event) ||
+        if (write_oldest(events_, writers_.event) ||
+            write_oldest(forecastle_events_, writers_.forecastle_event) ||
+            write_oldest(bridge_events_, writers_.bridge_event) ||
             write_oldest(forecastle_instructions_, writers_.forecastle_instruction) ||
             write_oldest(bridge_instructions_, writers_.bridge_instruction) ||
             write_oldest(forecastle_questions_, writers_.forecastle_question) ||

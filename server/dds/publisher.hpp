@@ -39,7 +39,7 @@ struct Writers {
     wire::Writer<BridgeView> bridge;
     wire::Writer<ForecastleView> forecastle_ghost;
     wire::Writer<BridgeView> bridge_ghost;
-    wire::Writer<SeatEvent> seat_event, forecastle_instruction, bridge_instruction;
+    wire::Writer<SeatEvent> forecastle_event, bridge_event, forecastle_instruction, bridge_instruction;
     wire::Writer<Question> forecastle_question, bridge_question;
     wire::Writer<BridgeOrder> bridge_order;
     wire::Writer<SceneDescription> scene;
@@ -84,7 +84,7 @@ public:
     void offer(const View& view);
     /// The same of an alert, for each panel that it is of; one of none is about the simulation.
     void offer(const run::AlertView& alert);
-    /// The same of an event, and of what a seat notices of it; seen: the picture at it.
+    /// The same of an event, and of what is noticed of it, for each seat that does; seen: the picture at it.
     void offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
                const run::RunStatus& run);
 
@@ -152,8 +152,8 @@ private:
     perceive::SeatShip seat_ship_;
     bool seats_have_marks_ = false;
     std::uint64_t seat_event_run_ = 0;
-    std::uint64_t seat_event_number_ = 0;               ///< of that run
-    std::array<std::uint64_t, 2> instruction_number_{}; ///< the same: forecastle, bridge
+    std::array<std::uint64_t, 2> seat_event_number_{};  ///< of that run: forecastle, bridge
+    std::array<std::uint64_t, 2> instruction_number_{}; ///< the same
     std::uint64_t orders_run_ = 0,
                   order_tick_ = 0; // whose bridge orders have been handed over, and up to when
 
@@ -171,7 +171,8 @@ private:
     SpscRing<Output> outputs_;
     SpscRing<Event> events_;
     SpscRing<Alert> alerts_, forecastle_alerts_, server_alerts_;
-    SpscRing<SeatEvent> seat_events_, forecastle_instructions_, bridge_instructions_;
+    SpscRing<SeatEvent> forecastle_events_, bridge_events_;
+    SpscRing<SeatEvent> forecastle_instructions_, bridge_instructions_;
     SpscRing<Question> forecastle_questions_, bridge_questions_;
     SpscRing<BridgeOrder> bridge_orders_;
     SpscRing<SeaState> seas_;

@@ -10,21 +10,27 @@ namespace topics = wire::topics;
 using station::Seat;
 
 Topics seat_hears(Seat seat) {
-    Topics list{&topics::exercise_status,   &topics::seat_event,
-                &topics::bridge_order,      &topics::seat_assessment,
-                &topics::scene_description, &topics::landmarks,
-                &topics::daylight,          &topics::lights_and_shapes,
-                &topics::sea_state,         &topics::replay_status,
-                &topics::windlass_command,  &topics::instructor_windlass_command,
-                &topics::helm_command,      &topics::instructor_helm_command};
+    Topics list{&topics::exercise_status,
+                &topics::bridge_order,
+                &topics::seat_assessment,
+                &topics::scene_description,
+                &topics::landmarks,
+                &topics::daylight,
+                &topics::lights_and_shapes,
+                &topics::sea_state,
+                &topics::replay_status,
+                &topics::windlass_command,
+                &topics::instructor_windlass_command,
+                &topics::helm_command,
+                &topics::instructor_helm_command};
     if (on_forecastle(seat))
-        list.insert(list.end(),
-                    {&topics::forecastle_view, &topics::forecastle_alert, &topics::forecastle_instruction,
-                     &topics::forecastle_question, &topics::forecastle_ghost});
+        list.insert(list.end(), {&topics::forecastle_view, &topics::forecastle_event,
+                                 &topics::forecastle_alert, &topics::forecastle_instruction,
+                                 &topics::forecastle_question, &topics::forecastle_ghost});
     if (on_bridge(seat))
-        list.insert(list.end(), {&topics::bridge_view, &topics::alert, &topics::bridge_instruction,
-                                 &topics::bridge_question, &topics::bridge_ghost, &topics::forecastle_camera,
-                                 &topics::chart, &topics::report});
+        list.insert(list.end(), {&topics::bridge_view, &topics::bridge_event, &topics::alert,
+                                 &topics::bridge_instruction, &topics::bridge_question, &topics::bridge_ghost,
+                                 &topics::forecastle_camera, &topics::chart, &topics::report});
     return list;
 }
 

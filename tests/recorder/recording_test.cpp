@@ -376,7 +376,7 @@ TEST(ShownTest, PictureHasEveryOrderOfTheBridgeAsItStandsAndWhatSeatsNoticed) {
         tape.write(sample(wire::topics::bridge_order, order, at));
     }
     SeatEvent noticed;
-    tape.write(sample(wire::topics::seat_event, noticed, 0.5));
+    tape.write(sample(wire::topics::forecastle_event, noticed, 0.5));
     tape.write(sample(wire::topics::server_alert, alert("server.late", ALERT_ACTIVE_UNACKNOWLEDGED), 0.5));
     tape.write(sample(wire::topics::exercise_truth, ExerciseTruth{}, 0.6));
     order.number(3);
@@ -392,7 +392,7 @@ TEST(ShownTest, PictureHasEveryOrderOfTheBridgeAsItStandsAndWhatSeatsNoticed) {
         orders.emplace_back(one.number(), one.state());
     }
     EXPECT_THAT(orders, testing::ElementsAre(std::pair(2, ORDER_GIVEN), std::pair(1, ORDER_REPEATED)));
-    EXPECT_EQ(count["SeatEvent"], 1);
+    EXPECT_EQ(count["ForecastleEvent"], 1);
     EXPECT_EQ(count["ServerAlert"], 1);
     EXPECT_EQ(count["ExerciseTruth"], 1);
 }

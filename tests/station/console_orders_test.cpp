@@ -235,9 +235,14 @@ TEST(ConsoleOrders, RefusalIsThatOfTheSenderAndSinceTheOrder) {
 
 TEST(ConsoleOrders, RefusalIsHeardAtASeatToo) {
     Picture picture;
-    picture.receive(event<SeatEvent>(1, "command.refused", "Report from anna: lead = 13 refused"), kNow);
+    picture.take_forecastle_event(
+        event<SeatEvent>(1, "command.refused", "Report from anna: lead = 13 refused"), kNow);
     EXPECT_THAT(picture.refusal("anna", {}).value(), HasSubstr("lead = 13"));
     EXPECT_FALSE(picture.refusal("anna", picture.logs_read()));
+    picture.take_bridge_event(
+        event<SeatEvent>(1, "command.refused", "HelmCommand from bert: rudder = 9 refused"), kNow);
+    EXPECT_THAT(picture.refusal("bert", {}).value(), HasSubstr("rudder = 9"));
+    EXPECT_FALSE(picture.refusal("bert", picture.logs_read()));
 }
 
 } // namespace

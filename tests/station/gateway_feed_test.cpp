@@ -296,7 +296,7 @@ TEST(History, ForgetsStatesOfAServerThatAnotherFollowed) {
 // An exercise that is taken up goes on in the log that it had, and one that begins anew begins a new one.
 TEST(History, OfWhatHappenedGoesOnWhereTheNextServerTakesUpTheExercise) {
     for (const wire::TopicInfo& topic : std::initializer_list<wire::TopicInfo>{
-             topics::event, topics::seat_event, topics::forecastle_instruction}) {
+             topics::event, topics::forecastle_event, topics::forecastle_instruction}) {
         SCOPED_TRACE(topic.name);
         History log(topic);
         for (const double time : {0, 3, 8, 9})

@@ -82,6 +82,13 @@ TEST_P(RoleOf, ASeatHearsTheAlertsOfItsOwnPanel) {
     EXPECT_EQ(heard.contains("Alert"), GetParam() != Seat::forecastle);
 }
 
+// Nor does it see from there a cable that jumps or a brake that smokes.
+TEST_P(RoleOf, ASeatHearsTheEventsOfItsOwnPlace) {
+    const Names heard = names(role_of(GetParam(), "mine").hears);
+    EXPECT_EQ(heard.contains("ForecastleEvent"), GetParam() != Seat::conning);
+    EXPECT_EQ(heard.contains("BridgeEvent"), GetParam() != Seat::forecastle);
+}
+
 INSTANTIATE_TEST_SUITE_P(Seats, RoleOf,
                          ::testing::Values(Seat::forecastle, Seat::conning, Seat::trainee, Seat::watcher,
                                            Seat::observer, Seat::assessor, Seat::instructor),

@@ -356,9 +356,13 @@ TEST(Condition, OfASeatIsReadFromItsViews) {
     SeatEvent event;
     event.number(1);
     event.code() = "anchor.let_go";
-    picture.receive(event, now);
+    picture.take_forecastle_event(event, now);
     EXPECT_TRUE(holds(R"({"seat_event": "anchor.let_go"})"));
     EXPECT_FALSE(holds(R"({"event": "anchor.let_go"})"));
+    EXPECT_FALSE(holds(R"({"seat_event": "watch.circle"})"));
+    event.code() = "watch.circle";
+    picture.take_bridge_event(event, now);
+    EXPECT_TRUE(holds(R"({"seat_event": "watch.circle"})"));
     EXPECT_FALSE(holds(R"({"order": "let_go"})"));
     BridgeOrder order;
     order.number(1);

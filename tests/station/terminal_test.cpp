@@ -94,6 +94,27 @@ TEST(Picture, RunThatBeginsAgainForgetsEventsAndExtremes) {
     EXPECT_EQ(picture.tackle[0].extremes.hawse_tension, 1000);
 }
 
+// Each seat's events are counted by themselves, and each begins anew with the run.
+TEST(Picture, OfBothSeatsHasWhatBothNoticeOnceAndForgetsAnEarlierRunOfEach) {
+    Picture picture;
+    const auto tell = [&](std::uint64_t forecastle, std::uint64_t bridge) {
+        SeatEvent noticed;
+        noticed.forecastle(forecastle > 0);
+        noticed.bridge(bridge > 0);
+        noticed.number(forecastle);
+        if (forecastle > 0) picture.take_forecastle_event(noticed, kNow);
+        noticed.number(bridge);
+        if (bridge > 0) picture.take_event_beside(noticed, kNow);
+    };
+    const auto kept = [&] {
+        return std::pair(picture.seat_events[0].kept.size(), picture.seat_events[1].kept.size());
+    };
+    tell(1, 1), tell(2, 0), tell(0, 2), tell(3, 3);
+    EXPECT_EQ(kept(), std::pair(std::size_t{3}, std::size_t{1}));
+    tell(1, 1);
+    EXPECT_EQ(kept(), std::pair(std::size_t{1}, std::size_t{0}));
+}
+
 TEST(Picture, KeepsTheLatestEventsAndDropsTheOldest) {
     Picture picture;
     for (std::uint64_t number = 1; number <= EventLog<Event>::kKept + 10; ++number)

@@ -140,7 +140,8 @@ TEST(Client, HearsWhatItsSeatMayAndNothingElse) {
     wire::Writer<ExerciseStatus> status{server, wire::topics::exercise_status};
     wire::Writer<ExerciseTruth> truth{server, wire::topics::exercise_truth};
     wire::Writer<Event> event{server, wire::topics::event};
-    wire::Writer<SeatEvent> seat_event{server, wire::topics::seat_event};
+    wire::Writer<SeatEvent> forecastle_event{server, wire::topics::forecastle_event};
+    wire::Writer<SeatEvent> bridge_event{server, wire::topics::bridge_event};
     wire::Writer<ForecastleView> forecastle{server, wire::topics::forecastle_view};
     wire::Writer<BridgeView> bridge{server, wire::topics::bridge_view};
     using station::Seat;
@@ -148,12 +149,13 @@ TEST(Client, HearsWhatItsSeatMayAndNothingElse) {
         station::Client client{session("looker"), seat};
         ASSERT_TRUE(eventually([&] { return client.server_present(); }));
         ASSERT_TRUE(eventually([&] { // streams are best-effort: again until all that is due has come
-            status.write({}), truth.write({}), event.write({}), seat_event.write({});
-            forecastle.write({}), bridge.write({});
+            status.write({}), truth.write({}), event.write({}), forecastle_event.write({});
+            bridge_event.write({}), forecastle.write({}), bridge.write({});
             const station::Picture now = client.picture();
             return now.status && bool(now.truth) == has_truth(seat) &&
                    now.events.kept.empty() != has_truth(seat) &&
-                   now.seat_events.kept.empty() == (seat == Seat::instructor) &&
+                   now.seat_events[0].kept.empty() != on_forecastle(seat) &&
+                   now.seat_events[1].kept.empty() != on_bridge(seat) &&
                    bool(now.tackle[SIDE_PORT].view) == on_forecastle(seat) &&
                    bool(now.bridge) == on_bridge(seat);
         })) << int(seat);

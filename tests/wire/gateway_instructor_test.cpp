@@ -106,7 +106,7 @@ TEST_F(InstructorStation, FoxglovesOwnClientConnectsAndDecodesEveryChannelThatSp
         "/ExerciseStatus /ExerciseTruth /EnvironmentState /ShipState /AnchorState /ChainState "
         "/WindlassLoad /CableForce /ForecastleView /ForecastleCamera /BridgeView /Daylight /LightsAndShapes "
         "/SeaState /SceneDescription /Landmarks "
-        "/SeabedDescription /Event /SeatEvent /BridgeOrder /OrderTaken /log /scene";
+        "/SeabedDescription /Event /ForecastleEvent /BridgeEvent /BridgeOrder /OrderTaken /log /scene";
     for (const char* subprotocol : {"foxglove.websocket.v1", "foxglove.sdk.v1"}) {
         const json met = look_on(desk->address, subprotocol, topics);
         EXPECT_EQ(met.value("protocol", ""), subprotocol);

@@ -103,15 +103,15 @@ TEST_F(Gateway, APageThatComesLateHasTheWholeState) {
     ASSERT_TRUE(eventually([&] { return status().state() == RUN_PAUSED; }));
 
     ASSERT_TRUE(eventually([&] { // what was told before the pause is through
-        return std::ranges::any_of(early.all<SeatEvent>("SeatEvent"),
+        return std::ranges::any_of(early.all<SeatEvent>("ForecastleEvent"),
                                    [](const SeatEvent& event) { return event.code() == "exercise.paused"; });
     }));
     PageClient late(station->address);
     ASSERT_TRUE(eventually([&] {
-        return late.samples("SeatEvent").size() >= early.samples("SeatEvent").size() &&
+        return late.samples("ForecastleEvent").size() >= early.samples("ForecastleEvent").size() &&
                !late.samples("SceneDescription").empty() && !late.samples("ForecastleView").empty();
     }));
-    EXPECT_EQ(late.samples("SeatEvent"), early.samples("SeatEvent"));
+    EXPECT_EQ(late.samples("ForecastleEvent"), early.samples("ForecastleEvent"));
     EXPECT_EQ(late.samples("SceneDescription"), early.samples("SceneDescription"));
     EXPECT_EQ(late.all<ExerciseStatus>("ExerciseStatus").front().state(), RUN_PAUSED);
     // Of each order its last state.
@@ -134,7 +134,7 @@ TEST_F(Gateway, AForecastleHearsNoTruthAndNoneOfWhatIsNotItsOwn) {
               json({"WindlassCommand", "Report", "DeckWorkCommand", "ForecastleAnswer", "AlertCommand"}));
     ASSERT_TRUE(eventually([&] { return page.samples("ForecastleView").size() > 30; }));
     const std::set<std::string> own{
-        "ExerciseStatus",     "SeatEvent",
+        "ExerciseStatus",     "ForecastleEvent",
         "ForecastleAlert",    "BridgeOrder",
         "SeatAssessment",     "SceneDescription",
         "Landmarks",          "Daylight",
@@ -220,7 +220,7 @@ TEST_F(Gateway, WhatABridgeShowsAtAnchorIsSeenByEverybodyAndToldInTheLog) {
     EXPECT_FALSE(shown(bridge).back().anchor_lights());
     EXPECT_TRUE(eventually([&] { return events("signals.anchor_ball") == 1; }));
     EXPECT_TRUE(eventually([&] {
-        const auto told = forecastle.all<SeatEvent>("SeatEvent");
+        const auto told = forecastle.all<SeatEvent>("ForecastleEvent");
         return std::ranges::any_of(
             told, [](const SeatEvent& event) { return event.text() == "anchor ball hoisted"; });
     }));

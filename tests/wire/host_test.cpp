@@ -246,6 +246,41 @@ TEST_F(HostTest, AlertGoesToTheSeatOnWhosePanelItIsAndOneAboutTheSimulationToNon
     EXPECT_EQ(told(wire::topics::server_alert), "model.in_doubt ");
 }
 
+TEST_F(HostTest, EventGoesToTheSeatsThatNoticeItAndIsNumberedForEach) {
+    wire::Participant server(member_, "exercise/events");
+    dds::PublishingPool pool(1);
+    dds::Publisher publisher(server, pool);
+    const exercise::Snapshot seen{};
+    for (const char* code : {"exercise.ready", "brake.hot", "motor.overload_trip", "watch.circle",
+                             "briefing.forecastle", "fault.active", "order.given"}) {
+        exercise::ExerciseEvent event;
+        event.code = code;
+        publisher.offer(event, seen, {});
+    }
+    publisher.flush(std::chrono::milliseconds(50));
+    const auto told = [&](const wire::Topic<SeatEvent>& topic, std::size_t count) {
+        wire::Participant late({rigs::own_domain(), "exercise/events", "late"});
+        std::mutex mutex;
+        std::vector<std::string> codes;
+        const wire::Reader<SeatEvent> reader(late, topic, [&](const SeatEvent& event) {
+            const std::lock_guard lock(mutex);
+            codes.push_back(std::to_string(event.number()) + " " + event.code().to_string());
+        });
+        EXPECT_TRUE(eventually([&] {
+            const std::lock_guard lock(mutex);
+            return codes.size() >= count;
+        }));
+        const std::lock_guard lock(mutex);
+        return std::vector<std::string>(codes);
+    };
+    EXPECT_EQ(told(wire::topics::forecastle_event, 4),
+              (std::vector<std::string>{"1 exercise.ready", "2 brake.hot", "3 motor.trip", "4 order.given"}));
+    EXPECT_EQ(told(wire::topics::bridge_event, 3),
+              (std::vector<std::string>{"1 exercise.ready", "2 watch.circle", "3 order.given"}));
+    EXPECT_EQ(told(wire::topics::forecastle_instruction, 1),
+              (std::vector<std::string>{"1 briefing.forecastle"}));
+}
+
 TEST_F(HostTest, ExerciseThatFailsStopsAloneWithAlertAndDump) {
     std::atomic<int> alerts_of_good{0}, alerts_of_bad{0};
     wire::Participant good(member_, "exercise/good"), bad(member_, "exercise/bad");

@@ -118,13 +118,19 @@ Names every_topic() {
     return names;
 }
 
-const Names kSeen{"ExerciseStatus",   "SeatEvent",
-                  "BridgeOrder",      "SeatAssessment",
-                  "SceneDescription", "Daylight",
-                  "LightsAndShapes",  "SeaState",
-                  "Landmarks",        "ReplayStatus",
-                  "WindlassCommand",  "InstructorWindlassCommand",
-                  "HelmCommand",      "InstructorHelmCommand"};
+const Names kSeen{"ExerciseStatus",
+                  "BridgeOrder",
+                  "SeatAssessment",
+                  "SceneDescription",
+                  "Daylight",
+                  "LightsAndShapes",
+                  "SeaState",
+                  "Landmarks",
+                  "ReplayStatus",
+                  "WindlassCommand",
+                  "InstructorWindlassCommand",
+                  "HelmCommand",
+                  "InstructorHelmCommand"};
 
 Names with(Names names, std::initializer_list<std::string> more) {
     names.insert(more);
@@ -133,15 +139,16 @@ Names with(Names names, std::initializer_list<std::string> more) {
 
 TEST(Security, TraineeHearsWhatItsSeatsAreGivenAndNothingElse) {
     EXPECT_EQ(hears("trainee", "exercise/default"),
-              with(kSeen, {"ForecastleView", "ForecastleAlert", "ForecastleInstruction", "ForecastleQuestion",
-                           "ForecastleGhost", "BridgeView", "Alert", "BridgeInstruction", "BridgeQuestion",
-                           "BridgeGhost", "ForecastleCamera", "Chart", "Report"}));
+              with(kSeen, {"ForecastleView", "ForecastleEvent", "ForecastleAlert", "ForecastleInstruction",
+                           "ForecastleQuestion", "ForecastleGhost", "BridgeView", "BridgeEvent", "Alert",
+                           "BridgeInstruction", "BridgeQuestion", "BridgeGhost", "ForecastleCamera", "Chart",
+                           "Report"}));
     EXPECT_EQ(hears("forecastle", "exercise/default"),
-              with(kSeen, {"ForecastleView", "ForecastleAlert", "ForecastleInstruction", "ForecastleQuestion",
-                           "ForecastleGhost"}));
+              with(kSeen, {"ForecastleView", "ForecastleEvent", "ForecastleAlert", "ForecastleInstruction",
+                           "ForecastleQuestion", "ForecastleGhost"}));
     EXPECT_EQ(hears("conning", "exercise/default"),
-              with(kSeen, {"BridgeView", "Alert", "BridgeInstruction", "BridgeQuestion", "BridgeGhost",
-                           "ForecastleCamera", "Chart", "Report"}));
+              with(kSeen, {"BridgeView", "BridgeEvent", "Alert", "BridgeInstruction", "BridgeQuestion",
+                           "BridgeGhost", "ForecastleCamera", "Chart", "Report"}));
 }
 
 TEST(Security, TraineeReadsEverythingInADebriefAndNotInAnExercise) {
@@ -424,9 +431,9 @@ TEST(SecureMembers, HearSamplesAtPortsOfTheirOwnWhichTidyingLeavesAlone) {
     wire::Participant trainee(
         {.domain = own_domain(), .name = "trainee", .security = ours().of("trainee"), .network = {}});
     std::atomic<int> heard{0};
-    const wire::Reader<SeatEvent> reader(trainee, wire::topics::seat_event,
+    const wire::Reader<SeatEvent> reader(trainee, wire::topics::forecastle_event,
                                          [&](const SeatEvent&) { ++heard; });
-    wire::Writer<SeatEvent> writer(server, wire::topics::seat_event);
+    wire::Writer<SeatEvent> writer(server, wire::topics::forecastle_event);
     ASSERT_TRUE(eventually([&] { return writer.matched() == 1 && reader.matched() == 1; }));
     const auto has = locks();
     EXPECT_EQ(has.size(), 4U); // of each a segment, and the port of ours
@@ -487,7 +494,8 @@ TEST(Roles, CoverTheTopicTable) {
          {std::pair("conning read", "ForecastleInstruction"),
           std::pair("forecastle read", "BridgeInstruction"), std::pair("conning read", "ForecastleQuestion"),
           std::pair("forecastle read", "BridgeQuestion"), std::pair("conning read", "ForecastleAlert"),
-          std::pair("forecastle read", "Alert")}) {
+          std::pair("forecastle read", "Alert"), std::pair("conning read", "ForecastleEvent"),
+          std::pair("forecastle read", "BridgeEvent")}) {
         EXPECT_FALSE(may[other].contains(topic)) << "what is told to one seat alone";
         EXPECT_TRUE(debrief[other].contains(topic)) << topic;
     }

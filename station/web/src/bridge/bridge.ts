@@ -52,8 +52,8 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   const shown = new LightsAndShapesPanel(link).element;
   const plan = h("section", { class: "plan-panel", "aria-label": t("plan") });
   const help = helpDialog();
-  const marks = new OwnMarks(link);
-  const briefing = new Briefing(link, marks);
+  const marks = new OwnMarks(link, "bridge");
+  const briefing = new Briefing(link, marks, "bridge");
   const speech = new Speech();
   line.onReport(({ report, fresh }) => fresh && speech.say(reportAloud(report)));
 

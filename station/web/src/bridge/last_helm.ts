@@ -31,7 +31,7 @@ export class LastHelm {
       () => ({ taken: 0, springs: true }),
       ({ springs }) => ({ taken: 0, springs }), // a restore has the levers where they were then, and tells nobody
     );
-    link.on("SeatEvent", (event) => this.hear(event));
+    link.on("BridgeEvent", (event) => this.hear(event));
     link.onState((state) => state === "open" && (this.taken = 0)); // all of it comes again
   }
 

@@ -41,9 +41,8 @@ const kFresh = 5; // s of exercise time
 /** What the line is told beside orders and reports: that nothing came back, the bell, and what the bridge notices. */
 const kOfTheLine = new Set(["order.not_heard", "report.bell", "hint.bridge"]);
 const isNotice = (event: SeatEvent): boolean =>
-  event.bridge &&
-  (kOfTheLine.has(event.code) ||
-    (event.severity !== EventSeverity.EVENT_INFO && !/^(order|report|levers)\./.test(event.code)));
+  kOfTheLine.has(event.code) ||
+  (event.severity !== EventSeverity.EVENT_INFO && !/^(order|report|levers)\./.test(event.code));
 
 export class Line {
   private reports: ReportLine[] = [];
@@ -70,7 +69,7 @@ export class Line {
     });
     link.on("Report", (report) => this.hear(report));
     link.on("BridgeOrder", () => this.tell());
-    link.on("SeatEvent", (event) => this.notice(event));
+    link.on("BridgeEvent", (event) => this.notice(event));
     link.on("BridgeInstruction", (event) => event.code === "hint.bridge" && this.notice(event));
     link.on("BridgeView", () => {
       if (this.works() === this.worked) return;
@@ -164,7 +163,7 @@ export class Line {
       leave(this.reports, event);
       leave(this.notices, event);
       this.reports = this.reports.filter(({ left, told }) => told || !left); // nobody here has heard those
-    } else if (event.code === "report.made" && event.bridge && !known(this.reports)) {
+    } else if (event.code === "report.made" && !known(this.reports)) {
       const line = { ...event, left: false, told: false };
       this.reports = [...this.reports, line].slice(-kReports);
       this.pair(line);

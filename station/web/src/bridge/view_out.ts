@@ -54,7 +54,7 @@ export class ViewOut {
       ),
       this.pelorus.element,
     );
-    this.cry = new Cry(page.link);
+    this.cry = new Cry(page.link, "bridge");
     page.link.on("SceneDescription", (description) => (this.wanted = description));
     page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
     page.link.on("Landmarks", (landmarks) => this.scene?.setLandmarks(landmarks));

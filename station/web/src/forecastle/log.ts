@@ -23,9 +23,7 @@ export class Log {
   private lines: Line[] = []; // the newest first
 
   constructor(link: Connection) {
-    // has its dialog
-    const isNews = (event: SeatEvent): boolean => event.forecastle && event.code !== "exercise.briefing";
-    link.on("SeatEvent", (event) => isNews(event) && this.add(event));
+    link.on("ForecastleEvent", (event) => event.code !== "exercise.briefing" && this.add(event)); // has its dialog
     link.on("ForecastleInstruction", (event) => event.code === "hint.forecastle" && this.add(event));
     link.onState((state) => {
       if (state !== "open") return;

@@ -50,7 +50,7 @@ export class Orders {
     );
     link.on("BridgeOrder", () => this.update());
     link.on("ExerciseStatus", () => this.orders().length !== this.list.childElementCount && this.update());
-    link.on("SeatEvent", (event) => this.hear(event));
+    link.on("ForecastleEvent", (event) => this.hear(event));
     link.onState((state) => {
       if (state === "open") {
         this.reports = []; // all of it comes again

@@ -76,9 +76,12 @@ export function openForecastle(): void {
   const sounds = new Sounds(page, stand, orders, () => scene.ears());
   const speech = new Speech();
   orders.onOrder((order) => order.text !== kByHand && isFresh(order.time) && speech.say(orderAloud(order)));
-  link.on("SeatEvent", (event) => event.code === "report.not_heard" && isFresh(event.time) && tell(eventText(event)));
-  const marks = new OwnMarks(link);
-  const briefing = new Briefing(link, marks);
+  link.on(
+    "ForecastleEvent",
+    (event) => event.code === "report.not_heard" && isFresh(event.time) && tell(eventText(event)),
+  );
+  const marks = new OwnMarks(link, "forecastle");
+  const briefing = new Briefing(link, marks, "forecastle");
   const firstVisit = new FirstVisit(page.root);
   const help = new Help(
     () => controllers.show(),

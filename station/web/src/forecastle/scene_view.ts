@@ -45,7 +45,7 @@ export class SceneView {
   private readonly cry: Cry;
 
   constructor(private readonly page: Page) {
-    this.cry = new Cry(page.link);
+    this.cry = new Cry(page.link, "forecastle");
     this.buttons = kCameras.map(([name, text], i) =>
       h(
         "button",

@@ -54,8 +54,8 @@ export class Sounds {
     this.player.onStart((context, out) => void this.begin(context, out));
     const { link } = page;
     link.on("SceneDescription", (scene) => (this.rigs = rigsOf(scene)));
-    link.on("SeatEvent", (event) => {
-      if (event.code !== "cable.shackle" || !event.forecastle || event.time < (this.time() ?? 0) - 2) return;
+    link.on("ForecastleEvent", (event) => {
+      if (event.code !== "cable.shackle" || event.time < (this.time() ?? 0) - 2) return;
       this.deck?.shackle(event.side, this.player.time);
       this.note("mark", t("a joining shackle passes"));
     });

@@ -72,7 +72,7 @@ export class Work {
   private readonly listeners = new Set<() => void>();
 
   constructor(private readonly link: Connection) {
-    link.on("SeatEvent", (event) => this.hear(event));
+    link.on("ForecastleEvent", (event) => this.hear(event));
     link.on("BridgeOrder", (order) => this.hearOrder(order));
     link.on("ForecastleView", (view) => this.see(view));
     link.on("ExerciseStatus", (status) => this.follow(status));

@@ -7,6 +7,7 @@ import { type ExerciseStatus, RunState } from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import { type OwnSeat, onInstruction } from "./instructions";
+import { noticedAt } from "./noticed";
 import { type OwnMarks, judgedBy } from "./own_marks";
 import { clock, measures } from "./units";
 import { capital } from "./words";
@@ -50,9 +51,11 @@ export class Briefing {
   private late = false; // came in the middle of it
   private from: number | undefined; // s of exercise time, at which it was taken up; undefined: it began at its start
 
+  /** at: the seat of its page. */
   constructor(
     private readonly link: Connection,
     private readonly marks: OwnMarks,
+    at: OwnSeat,
   ) {
     this.element = h(
       "dialog",
@@ -76,7 +79,7 @@ export class Briefing {
       { class: "plain", type: "button", hidden: true, onclick: () => this.open() },
       t("Briefing"),
     );
-    link.on("SeatEvent", ({ code, value, text, time }) => {
+    link.on(noticedAt[at], ({ code, value, text, time }) => {
       if (code === "exercise.ready" || code === "exercise.restored" || code === "exercise.taken_up") {
         this.from = code === "exercise.restored" ? time : undefined;
         this.take([]);

@@ -3,6 +3,8 @@
 import type { Connection } from "../wire/connection";
 import type { SeatEvent } from "../wire/generated";
 import { begins } from "../kit/branch";
+import type { OwnSeat } from "../kit/instructions";
+import { noticedAt } from "../kit/noticed";
 import { bareReport, orderText, placeOf, reportText } from "../kit/words";
 
 /** Whether a line of the log says so of any cable. */
@@ -16,8 +18,9 @@ export class Cry {
   /** s, exercise time; undefined: nobody has. */
   time: number | undefined;
 
-  constructor(link: Pick<Connection, "on" | "onState">) {
-    link.on("SeatEvent", (event) => {
+  /** at: the seat whose log it is. */
+  constructor(link: Pick<Connection, "on" | "onState">, at: OwnSeat) {
+    link.on(noticedAt[at], (event) => {
       if (begins(event) && this.time !== undefined && this.time > event.time) this.time = undefined;
       if (isStandClear(event)) this.time = event.time;
     });

@@ -6,6 +6,7 @@ import type { Connection } from "../wire/connection";
 import { type Question, RunState } from "../wire/generated";
 import { h, setAttribute, setShown, setText } from "./dom";
 import { t, translated, typedFigure, writtenFigure } from "./language";
+import { noticedAt } from "./noticed";
 import { everySecond } from "./page";
 import { stepped } from "./stepped";
 
@@ -47,7 +48,7 @@ export class Freeze {
     for (const kind of ["keydown", "keyup"]) this.element.addEventListener(kind, (event) => event.stopPropagation());
     link.on(kOf[seat][0], (question) => this.take(question));
     link.on("ExerciseStatus", () => this.show());
-    link.on("SeatEvent", ({ code, text }) => {
+    link.on(noticedAt[seat], ({ code, text }) => {
       if (code !== "command.refused" || !this.element.open || !text.includes(kOf[this.seat][1])) return;
       setText(this.state, text);
       this.settle(false);

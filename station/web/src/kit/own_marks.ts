@@ -19,6 +19,7 @@ import { begins, leave } from "./branch";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import type { OwnSeat } from "./instructions";
+import { noticedAt } from "./noticed";
 import { written } from "./orders";
 import { pointsFigure, shareSaid } from "./points_said";
 import { clock, measures } from "./units";
@@ -172,7 +173,11 @@ export class OwnMarks {
   /** Lines of the log by which reports were heard. */
   private log: Reported[] = [];
 
-  constructor(private readonly link: Connection) {
+  /** at: the seat of its page. */
+  constructor(
+    private readonly link: Connection,
+    at: OwnSeat,
+  ) {
     this.element = h(
       "dialog",
       { class: "briefing own-marks panel", "aria-label": t("what came of it") },
@@ -194,7 +199,7 @@ export class OwnMarks {
     link.on("SeatAssessment", (assessment) => this.tell(assessment));
     link.onClassOver(() => this.stay());
     link.onState((state) => state === "open" && (this.log = [])); // all of it comes again
-    link.on("SeatEvent", (event) => this.hear(event));
+    link.on(noticedAt[at], (event) => this.hear(event));
     link.on("BridgeOrder", () => this.shown && this.fill(this.shown));
     for (const measure of measures) measure.onChoice(() => this.shown && this.fill(this.shown));
   }

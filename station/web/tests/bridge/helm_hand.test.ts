@@ -67,7 +67,7 @@ class Page {
   /** A line of the log: who takes the helm, or the other branch that begins. */
   log(number: number, code: string, name = ""): void {
     const text = name && `${name} has the helm, taken from somebody`;
-    this.tell("SeatEvent", { number, code, side: -1, text, time: 50 });
+    this.tell("BridgeEvent", { number, code, side: -1, text, time: 50 });
   }
   /** Another speaks at the helm, twice: one sample alone may be an old one; then it is silent. */
   others(source: string, levers: HelmLevers, topic = "HelmCommand"): void {

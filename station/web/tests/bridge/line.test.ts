@@ -23,8 +23,8 @@ function bridge(now: number) {
   line.onReport(({ time, number, fresh }) => heard.push({ time, number, fresh }));
   const tell = (topic: string, sample: object): void =>
     listeners.get(topic)?.forEach((listener) => listener(sample as never));
-  const event = (time: number, number: number, code: string, text: string, seen = true): void =>
-    tell("SeatEvent", { time, number, code, side: 0, text, bridge: seen, severity: EventSeverity.EVENT_INFO });
+  const event = (time: number, number: number, code: string, text: string, on = "BridgeEvent"): void =>
+    tell(on, { time, number, code, side: 0, text, severity: EventSeverity.EVENT_INFO });
   return {
     event,
     heard,
@@ -67,7 +67,8 @@ test("a report is told once, whichever of its two samples comes first, and again
 test("what the bridge did not hear does not stand there, and what a restore has left is said to be left", () => {
   const page = bridge(31);
   page.says(letGo);
-  page.event(20, 3, "report.not_heard", "no answer from the bridge; reported: port anchor is let go", false);
+  const onDeck = "no answer from the bridge; reported: port anchor is let go";
+  page.event(20, 3, "report.not_heard", onDeck, "ForecastleEvent");
   assert.deepEqual([page.log(), page.heard], [[], []]);
   page.logs(30, 4, letGo);
   page.event(25, 5, "exercise.restored", "restored");

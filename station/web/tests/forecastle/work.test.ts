@@ -66,7 +66,7 @@ class Heard {
   }
   hear(event: Told, time = ++this.time): void {
     this.time = time;
-    this.tell("SeatEvent", { ...event, time });
+    this.tell("ForecastleEvent", { ...event, time });
   }
   order({ code, side }: Given, time = ++this.time, more: Partial<BridgeOrder> = {}): void {
     this.time = time;

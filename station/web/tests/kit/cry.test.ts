@@ -31,14 +31,23 @@ test("an order and a report to stand clear are one, of either cable; others are 
 
 test("a cry of a branch that was left is forgotten", () => {
   let tell: (event: SeatEvent) => void = () => {};
-  const cry = new Cry({
+  const link = {
     on: (_: string, listener: (event: never) => void) => (tell = listener as typeof tell),
     onState: () => {},
-  } as unknown as ConstructorParameters<typeof Cry>[0]);
+  };
+  const cry = new Cry(link as unknown as ConstructorParameters<typeof Cry>[0], "forecastle");
   tell({ ...reported(ReportCode.REPORT_STAND_CLEAR, 0), time: 40 } as SeatEvent);
   assert.equal(cry.time, 40);
   tell({ code: "exercise.restored", side: -1, text: "", time: 50 } as SeatEvent);
   assert.equal(cry.time, 40);
   tell({ code: "exercise.restored", side: -1, text: "", time: 20 } as SeatEvent);
   assert.equal(cry.time, undefined);
+});
+
+test("each seat hears it by its own log", () => {
+  const heard: string[] = [];
+  const link = { on: (topic: string) => heard.push(topic), onState: () => {} };
+  for (const seat of ["forecastle", "bridge"] as const)
+    new Cry(link as unknown as ConstructorParameters<typeof Cry>[0], seat);
+  assert.deepEqual(heard, ["ForecastleEvent", "BridgeEvent"]);
 });
