@@ -131,6 +131,7 @@ struct Criterion {
     int at = -1;                    ///< state_at: place in moments
     double after = 0;               ///< state_at: s after it
     bool graded = false;            ///< state_at: the mark falls evenly from `after` to `zero`, s after it
+    bool put_right = false;         ///< limit: nothing is left of what the lesson's end finds beyond it
     Condition that{};               ///< state_at, prohibited, final; report of a state
     std::vector<Condition> steps{}; ///< sequence
     double within = kNoLimit;       ///< sequence: s from its beginning

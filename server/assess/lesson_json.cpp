@@ -435,6 +435,7 @@ private:
             fault(at + (to.fail_above < to.max ? "/fail_above" : "/fail_below"),
                   "lies within the limit: the mark would be lost before the limit is passed");
         to.grace = one.value("grace", 0.0);
+        to.put_right = one.value("put_right", false);
         to.zero = one.value("zero", to.grace + 10);
         if (to.zero <= to.grace)
             fault(at + "/zero", "is not above grace: s outside that cost nothing come before those that cost "

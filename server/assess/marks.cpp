@@ -49,13 +49,21 @@ void look_at_limit(const Criterion& criterion, Mark& mark, const Look& look) {
     if (mark.worst_tick < 0 || beyond > worst_beyond ||
         (!upwards && now < mark.worst && beyond >= worst_beyond))
         mark.worst = now, mark.worst_tick = look.tick();
-    if (beyond <= 0) return;
+    mark.holds = beyond <= 0;
+    if (mark.holds) return;
     if (mark.since < 0) mark.since = look.tick();
     ++mark.outside;
     if (now < criterion.fail_below || now > criterion.fail_above) mark.wrong = 1;
     mark.milli = mark.wrong > 0
                      ? 0
                      : share_left(mark.outside, ticks(criterion.grace, look), ticks(criterion.zero, look));
+}
+
+/// Whether the lesson's end finds beyond its limit what is to be put right: for longer than is forgiven, or
+/// for as long as there was, where an accident ended it. That it ended sooner makes it no less.
+bool was_left_so(const Criterion& criterion, const Mark& mark, Ending ending, int tick_rate) {
+    if (!criterion.put_right || mark.began < 0 || mark.holds || ending == Ending::instructor) return false;
+    return ending == Ending::abort || mark.outside > std::llround(criterion.grace * tick_rate);
 }
 
 /// Steps taken of all, in thousandths; half of that once the order was broken.
@@ -600,6 +608,8 @@ void close(const Criterion& criterion, Mark& mark, State& state, const Lesson& l
     if (mark.decided >= 0 || criterion.kind == CriterionKind::rubric) return;
     if (criterion.kind == CriterionKind::order)
         look_at_orders(criterion, mark, state.tick, false, state, lesson);
+    if (criterion.kind == CriterionKind::limit && was_left_so(criterion, mark, state.ending, tick_rate))
+        mark.milli = 0;
     if (criterion.kind == CriterionKind::report && criterion.truth == ReportTruth::moment) {
         const bool false_call = mark.began < 0 && (mark.since >= 0 || mark.wrong > 0);
         const bool no_time =

@@ -214,6 +214,8 @@ std::string limit_words(const Criterion& criterion, const Mark& mark, int rate) 
         // Named again: pages show a speed in the unit of whose it is, and look for that in the same clause.
         text += "; " + short_name(quantity) + (above ? " above " : " below ") +
                 figure_text(above ? criterion.fail_above : criterion.fail_below, unit) + " leaves nothing";
+    } else if (mark.milli == 0 && mark.outside < std::llround(criterion.zero * rate)) {
+        text += "; still so at the end leaves nothing"; // its seconds alone would have left some
     }
     return text;
 }

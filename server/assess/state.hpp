@@ -76,7 +76,7 @@ struct Mark {
     int missing = -1;       ///< part of the condition that did not hold (missing_part()); -1: none
     int step = 0;           ///< of a sequence: steps taken; of reports: those judged
     int wrong = 0;          ///< steps out of order; reports that were wrong
-    bool holds = false;     ///< final: now
+    bool holds = false;     ///< final, limit: now
     bool held = false;      ///< final: once
     bool acted = false;     ///< final, state_at: it was not so once, so that something was to be done for it
     std::int64_t slots = 0; ///< report of orders: kSlots bits each, of those answered, half right, wrong

@@ -108,6 +108,37 @@ TEST(Assessment, ReasonOfALimitSaysForHowLongInAllAndWhatLeavesNothing) {
         << "with whose speed it is: pages show it in another unit";
 }
 
+// A heap that is left lying is no less for a lesson that was over sooner.
+TEST(Assessment, WhatIsToBePutRightAndLiesAtTheEndLeavesNothing) {
+    enum class Over { good, time, accident, by_hand };
+    const auto left = [](double beyond, double within_again, Over over, bool put_right = true) {
+        Course course(lesson(std::string(
+                                 R"({"id": "v", "kind": "limit", "of": "cable_out", "max": 30, "grace": 20,
+            "zero": 60)") + (put_right ? R"(, "put_right": true})" : "}"),
+                             R"(, "end": {"good": {"event": "anchor.brought_up"}, "time": 100,
+            "abort": ["cable.lost"]})"));
+        course.chain().cable_out = 40;
+        course.run(beyond);
+        if (within_again > 0) course.chain().cable_out = 20;
+        course.run(within_again);
+        if (over == Over::good) course.event("anchor.brought_up");
+        if (over == Over::accident) course.event("cable.lost");
+        if (over == Over::by_hand) course.end();
+        course.run(over == Over::time ? 100 : 1);
+        EXPECT_NE(course.state().ending, Ending::none);
+        return course.mark();
+    };
+    EXPECT_EQ(left(40, 5, Over::good).milli, 500) << "and gone again";
+    EXPECT_EQ(left(30, 0, Over::good).milli, 0) << "which is sooner, and lies";
+    EXPECT_NE(left(30, 0, Over::good).reason.find("still so at the end leaves nothing"), std::string::npos);
+    EXPECT_EQ(left(30, 0, Over::good, false).milli, 747) << "of a limit that does not say so";
+    EXPECT_EQ(left(10, 0, Over::good).milli, 1000) << "for no longer than is forgiven";
+    EXPECT_EQ(left(10, 0, Over::accident).milli, 0) << "that ended it: nobody is forgiven for that";
+    EXPECT_EQ(left(10, 5, Over::accident).milli, 1000);
+    EXPECT_EQ(left(40, 5, Over::time).milli, 500);
+    EXPECT_EQ(left(30, 0, Over::by_hand).milli, 750) << "as far as it went";
+}
+
 // What may still come is not lost; the limit that was broken is, whatever comes.
 TEST(Assessment, ReasonOfWhatIsOpenSaysLostOnlyOfWhatIsLostForGood) {
     Course course(lesson(
