@@ -223,6 +223,35 @@ void look_at_pending(const Criterion& criterion, Mark& mark, const Look& look) {
     mark.worst_tick = look.tick();
 }
 
+constexpr double kRightAtOnce = 15; // s, in which who says "secured" unasked makes it so or takes it back
+
+/// Whether a report is as true or false before it is asked for as it is then: who hears that an anchor is
+/// secured relies on it. What is stood by for hangs on the order.
+bool counts_unasked(const Criterion& criterion) {
+    return criterion.kind == CriterionKind::report && criterion.truth == ReportTruth::state &&
+           criterion.report == exercise::ReportCode::secured;
+}
+
+/// One that was made before it was asked for, or after it had been judged: a false call once it was neither
+/// made so nor taken back at once.
+void look_at_unasked(const Criterion& criterion, Mark& mark, const Look& look) {
+    if (!counts_unasked(criterion) || mark.reported < 0) return;
+    if (look.holds(criterion.that)) {
+        mark.reported = -1;
+        return;
+    }
+    if (look.tick() - mark.reported < ticks(kRightAtOnce, look)) return;
+    const MissingPart missing = look.missing(criterion.that);
+    keep(criterion, look.state, look.lesson,
+         {.tick = mark.reported, .milli = 0, .truth = missing.value, .missing = missing.place});
+    mark.reported = -1;
+    ++mark.wrong;
+    mark.worst_tick = look.tick();
+    if (mark.decided < 0) return;
+    const int left = mark.milli > 0 ? after_wrong_ones(1000, criterion, mark) : 0;
+    if (left < mark.milli) decide(mark, left, look.tick());
+}
+
 /// Place in the criterion's orders of the one that was given last, which a report belongs to; -1: none.
 int slot_of(const Criterion& criterion, const State& state) {
     int slot = -1;
@@ -474,6 +503,7 @@ double repeat_within(const exercise::BridgeOrderGiven& order) {
 }
 
 void look_at(const Criterion& criterion, Mark& mark, const Look& look) {
+    look_at_unasked(criterion, mark, look);
     if (mark.decided >= 0) return;
     switch (criterion.kind) {
     case CriterionKind::limit:
@@ -543,9 +573,17 @@ bool is_false(const Heard& heard, const Look& look) {
 
 void take_report(const Criterion& criterion, Mark& mark, const Heard& heard, const Look& look) {
     const Heard report = as_asked(criterion, heard);
-    if (criterion.kind != CriterionKind::report || !is_report(criterion, report.code)) return;
     if (report.side >= 0 && report.side != criterion.side) return;
+    const bool takes_back =
+        report.code == exercise::ReportCode::standing_by || report.code == exercise::ReportCode::anchor_ready;
+    if (takes_back && counts_unasked(criterion)) mark.reported = -1;
+    if (criterion.kind != CriterionKind::report || !is_report(criterion, report.code)) return;
     const bool before = criterion.from && mark.began < 0 && !look.holds(*criterion.from);
+    if (counts_unasked(criterion) && (before || mark.decided >= 0)) {
+        const bool of_which = report.side >= 0 || !look.lesson.two_sides; // else nobody knows
+        if (of_which && mark.reported < 0) mark.reported = report.tick;
+        return;
+    }
     const auto judged = [&](JudgedReport one) { keep(criterion, look.state, look.lesson, one); };
     if (mark.decided >= 0) { // too late for a mark, and still worth telling
         if (criterion.truth == ReportTruth::moment && mark.since < 0)
@@ -620,6 +658,7 @@ void close(const Criterion& criterion, Mark& mark, State& state, const Lesson& l
         if (mark.wrong == 0 && no_time) mark.state = CriterionState::not_in_play;
     }
     if (mark.pending >= 0) ++mark.wrong; // cut off before it was so
+    if (counts_unasked(criterion) && mark.began < 0 && mark.wrong > 0) return decide(mark, 0, state.tick);
     if (criterion.question >= 0) state.questions[static_cast<std::size_t>(criterion.question)].open = false;
     // The lesson was over at the very tick of the freeze: nobody could answer.
     if (criterion.kind == CriterionKind::question && state.ending != Ending::instructor)

@@ -82,7 +82,7 @@ struct Mark {
     std::int64_t slots = 0; ///< report of orders: kSlots bits each, of those answered, half right, wrong
     std::int64_t pending = -1; ///< report of a state that was not so yet: when it came
     exercise::Growing said = exercise::Growing::not_given; ///< reported, and waits for its ten seconds
-    std::int64_t reported = -1;                            ///< when the report came that waits for its truth
+    std::int64_t reported = -1;        ///< when the report came that waits for its truth; of a state: unasked
     double shown = 0, shown_angle = 0; ///< report of a moment: what the tackle showed then (JudgedReport)
     bool overridden = false;           ///< an assessor's word stands in its place
     int given_milli = 0;               ///< by him; -1: not applicable

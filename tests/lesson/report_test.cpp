@@ -438,6 +438,80 @@ TEST(Reports, ThatNobodyAskedForAreToldWhereTheyWereFalseAndCostNothing) {
     EXPECT_EQ(course.mark().state, before.state);
 }
 
+// Who hears "secured" relies on it, asked for or not.
+TEST(Reports, ThatSheIsSecuredAreFalseCallsBeforeTheyAreAskedForAndAfterThem) {
+    constexpr auto kAsked = R"(, "from": {"shackles": 3})";
+    const auto secure = [](Course& course, bool so) {
+        course.windlass().brake_position = so ? 1 : 0.5;
+        course.windlass().stopper_closed = so;
+        course.windlass().clutch = exercise::ClutchState::out;
+    };
+    const auto ask = [](Course& course) {
+        course.chain().cable_out = 4 * 27.5;
+        course.run(5);
+    };
+    /// Says it before it is asked for, does something, and says it when it is asked for and so.
+    const auto early = [&](bool so, double until, const std::function<void(Course&)>& put_right) {
+        Course course(reporting("secured", kAsked));
+        secure(course, so);
+        course.run(5);
+        course.report(ReportCode::secured);
+        course.run(until);
+        put_right(course);
+        course.run(20);
+        ask(course);
+        secure(course, true);
+        course.run(5);
+        course.report(ReportCode::secured);
+        course.run(5);
+        return course.mark();
+    };
+    const auto nothing = [](Course&) {};
+    const auto by_deed = [&](Course& course) { secure(course, true); };
+    const auto by_word = [](Course& course) { course.report(ReportCode::anchor_ready); };
+    EXPECT_EQ(early(true, 1, nothing).milli, 1000) << "it was so";
+    EXPECT_EQ(early(false, 1, nothing).milli, 0);
+    EXPECT_EQ(early(false, 1, nothing).lost_tick, 50U) << "when it was said";
+    EXPECT_EQ(early(false, 14, by_deed).milli, 1000);
+    EXPECT_EQ(early(false, 16, by_deed).milli, 0) << "which is not at once";
+    EXPECT_EQ(early(false, 14, by_word).milli, 1000);
+    EXPECT_EQ(early(false, 16, by_word).milli, 0);
+
+    Course later(reporting("secured", kAsked));
+    secure(later, true);
+    ask(later);
+    later.report(ReportCode::secured);
+    later.run(5);
+    EXPECT_EQ(later.mark().state, CriterionState::met);
+    secure(later, false);
+    later.run(30);
+    EXPECT_EQ(later.mark().milli, 1000) << "to open it again is no lie";
+    later.report(ReportCode::secured);
+    later.run(20);
+    EXPECT_EQ(later.mark().state, CriterionState::not_met);
+    ASSERT_EQ(later.now().reports.size(), 2U);
+    EXPECT_EQ(later.now().reports[1].text.find("but "), 0U) << later.now().reports[1].text;
+
+    Course never_asked(reporting("secured", kAsked));
+    secure(never_asked, false);
+    never_asked.run(5);
+    never_asked.report(ReportCode::secured);
+    never_asked.run(20);
+    never_asked.end();
+    EXPECT_EQ(never_asked.mark().state, CriterionState::not_met) << "as every false call of what never came";
+
+    Course stood_by(reporting("anchor_ready", kAsked));
+    stood_by.windlass().brake_position = 0.5;
+    stood_by.run(5);
+    stood_by.report(ReportCode::anchor_ready);
+    stood_by.run(20);
+    stood_by.windlass().brake_position = 1;
+    ask(stood_by);
+    stood_by.report(ReportCode::anchor_ready);
+    stood_by.run(5);
+    EXPECT_EQ(stood_by.mark().milli, 1000) << "what standing by is hangs on the order";
+}
+
 TEST(Reports, ThatNobodyAskedForAreNotToldWhereTheyWereSo) {
     Course rode(reporting("secured")); // at anchor before it began
     rode.seen().tackle[0].anchor.phase = exercise::AnchorPhase::holding;
