@@ -363,6 +363,22 @@ std::string said_words(const Criterion& criterion, const JudgedReport& report) {
     return words::report_text(said);
 }
 
+/// From where shackles are counted: what is a figure on deck is another in the water, and on the counter.
+std::string where_counted(const Criterion& criterion, const JudgedReport& report) {
+    const bool other = report.code != exercise::ReportCode::text;
+    switch (words::row_of(other ? report.code : criterion.report).mark_at) {
+    case words::MarkAt::deck:
+        return " on deck";
+    case words::MarkAt::pipe:
+        return " in the pipe";
+    case words::MarkAt::water:
+        return " in the water";
+    case words::MarkAt::none:
+        break;
+    }
+    return "";
+}
+
 /// The reports of a criterion as they were judged, each as `words` has it.
 template <class Words>
 std::string each_report(const State& state, std::size_t criterion, int rate, const Words& words) {
@@ -513,7 +529,7 @@ std::string truth_words(const Lesson& lesson, const Criterion& criterion, const 
                        .said) +
                " was on it";
     default:
-        return number(report.truth) + " were so";
+        return number(report.truth) + where_counted(criterion, report) + " were so";
     }
 }
 

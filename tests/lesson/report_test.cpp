@@ -349,7 +349,8 @@ TEST(Reports, OfAFigureTellTheFigureThatWasSo) {
     EXPECT_NEAR(course.now().reports[0].truth.value(), 4, 1e-9)
         << "from where it was marked, not from the lip";
     EXPECT_EQ(course.mark().reason,
-              "0:01 \"5.2 shackles in the water\" reported, 4 were so: all of its points lost");
+              "0:01 \"5.2 shackles in the water\" reported, 4 in the water were so: all of its points lost")
+        << "by the counter it is more";
 }
 
 TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
@@ -432,7 +433,7 @@ TEST(Reports, ThatNobodyAskedForAreToldWhereTheyWereFalseAndCostNothing) {
         EXPECT_EQ(one.criterion, "");
         EXPECT_EQ(one.milli, 0);
         const bool figure = one.code == ReportCode::shackles_in_pipe;
-        EXPECT_EQ(one.text, figure ? "4 were so" : "and it was not so then: anchor hanging");
+        EXPECT_EQ(one.text, figure ? "4 in the pipe were so" : "and it was not so then: anchor hanging");
     }
     EXPECT_EQ(course.mark().milli, before.milli);
     EXPECT_EQ(course.mark().state, before.state);

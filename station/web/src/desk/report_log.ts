@@ -189,7 +189,7 @@ function truthOf(report: Report, { load, anchor, chain }: Then): string {
     case ReportCode.REPORT_SHACKLES_ON_DECK:
     case ReportCode.REPORT_SHACKLES_IN_WATER:
     case ReportCode.REPORT_SHACKLES_IN_PIPE:
-      return t("was {shackles} out", { shackles: figure(shackles(load.cable_out), 1) });
+      return t("was {shackles} outboard of the lip", { shackles: figure(shackles(load.cable_out), 1) });
     case ReportCode.REPORT_LEAD:
     case ReportCode.REPORT_SHORT_STAY:
     case ReportCode.REPORT_UP_AND_DOWN:

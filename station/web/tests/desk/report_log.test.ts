@@ -62,7 +62,7 @@ function desk() {
 const { REPORT_LET_GO: letGo, REPORT_SHACKLES_IN_PIPE: inPipe } = ReportCode;
 
 test("a report stands once, at the time of its event, beside the truth of that moment, whichever comes first", () => {
-  const both = [{ time: 195, words: "port: 2 shackles in the pipe", was: "was 4.1 out" }];
+  const both = [{ time: 195, words: "port: 2 shackles in the pipe", was: "was 4.1 outboard of the lip" }];
   const early = desk();
   early.stands(195, 4.1);
   early.says(inPipe, 2);
@@ -115,7 +115,7 @@ test("a desk that is opened late has what was so of every report from a recordin
   late.recorded([26, 0.2], [27, 0.4], [28, 0.9], [53, 9], [55, 9.5], [52, 2.1], [53, 2.3], [54, 2.6], [130, 4.9]);
   assert.deepEqual(
     late.lines().map(({ was }) => was),
-    ["was 0.4 out, on the bottom", "was 2.3 out", "was 5.0 out"],
+    ["was 0.4 out, on the bottom", "was 2.3 outboard of the lip", "was 5.0 outboard of the lip"],
   );
 });
 
@@ -132,8 +132,8 @@ test("the same words said twice are two reports, each beside its own truth", () 
   assert.deepEqual(
     early.lines().map(({ time, was }) => [time, was]),
     [
-      [10, "was 1.9 out"],
-      [20, "was 2.4 out"],
+      [10, "was 1.9 outboard of the lip"],
+      [20, "was 2.4 outboard of the lip"],
     ],
   );
 });
