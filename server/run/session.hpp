@@ -209,6 +209,7 @@ private:
     void watch_what_stands();
     bool comes_up(words::AlertCode code, int side, bool stands);
     void watch_the_circle();
+    void watch_for_a_fast_cable();
     void watch_for_a_runaway();
     void watch_the_motors();
     void watch_the_foreign_ship();

@@ -13,6 +13,7 @@ namespace windlass::run {
 namespace {
 
 constexpr const char* kRunaway = "cable.runaway";
+constexpr const char* kRunsFast = "cable.fast";
 constexpr const char* kMotorTripped = "motor.trip";
 constexpr const char* kWatchCircle = "watch.circle";
 constexpr const char* kOwnShipLost = "own_ship.lost";
@@ -41,6 +42,7 @@ AlertView Session::alert(words::AlertCode code, int side, double value,
 /// Looks at what stands now, in a tick or where a run begins.
 void Session::watch_what_stands() {
     watch_the_circle();
+    watch_for_a_fast_cable();
     watch_for_a_runaway();
     watch_the_motors();
     watch_the_foreign_ship();
@@ -60,6 +62,19 @@ void Session::watch_the_circle() {
     if (!comes_up(kWatchCircle, -1, snapshot_.outside_watch_circle)) return;
     const double radius = snapshot_.watch_circle.radius;
     alerts_.raise(alert(kWatchCircle, -1, radius, {fmt::format("{:.0f}", radius)}));
+}
+
+/// A cable that nobody checks, and that does not run away yet: faster than practice ever lets it run, until
+/// it is no faster than it likes it. For instructors: on deck it is seen and heard.
+void Session::watch_for_a_fast_cable() {
+    for (const auto& tackle : snapshot_.tackle) {
+        const int side = static_cast<int>(tackle.side);
+        const double limit = alerts_.stands(kRunsFast, side, time_) ? words::limits::cable_fast
+                                                                    : words::limits::cable_unchecked;
+        const double speed = tackle.windlass.cable_speed;
+        if (comes_up(kRunsFast, side, speed > limit && !exercise_.runs_away(tackle.side)))
+            alerts_.raise(alert(kRunsFast, side, speed));
+    }
 }
 
 /// A cable that runs away, until it is no faster than practice lets it run.

@@ -46,7 +46,7 @@ struct AlertView {
     double value = 0;
     std::string text, explanation;
     bool deck_panel = false,
-         bridge_panel = false; ///< where it is shown; neither: about the simulation itself
+         bridge_panel = false; ///< where it is shown; neither: to instructors alone
     double silenced_until = 0; ///< s of wall time; 0: not silenced
     double silenced_left = 0;  ///< s of wall time, as of the last change
 };

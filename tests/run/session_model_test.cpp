@@ -56,6 +56,40 @@ TEST_F(SessionTest, ARunawayIsAnAlarmOnDeckUntilTheCableIsSlow) {
     EXPECT_LT(session.snapshot().tackle[0].windlass.cable_speed, 5);
 }
 
+TEST_F(SessionTest, AnInstructorHearsOfACableThatNobodyChecksUntilItIsSlowOrRunsAway) {
+    exercise::ExerciseDef def;
+    def.environment.depth = 200;
+    Session session(def, options());
+    session.clear_news();
+    const auto speed = [&] { return session.snapshot().tackle[0].windlass.cable_speed; };
+    const auto alert = [&]() -> const AlertView* {
+        for (const AlertView& each : session.alerts())
+            if (each.code == "cable.fast") return &each;
+        return nullptr;
+    };
+    const auto work_until_told = [&](double brake) {
+        session.clear_news();
+        give(session, levers(brake), 0, "trainee-1");
+        for (int k = 0; k < 60 * def.tick_rate_hz && alert() == nullptr; ++k)
+            ASSERT_TRUE(session.tick());
+        ASSERT_NE(alert(), nullptr);
+    };
+    work_until_told(0);
+    EXPECT_EQ(alert()->condition, AlertCondition::active_unacknowledged);
+    EXPECT_EQ(alert()->side, 0);
+    EXPECT_EQ(alert()->priority, AlertPriority::warning);
+    EXPECT_FALSE(alert()->deck_panel || alert()->bridge_panel) << "on deck it is seen and heard";
+    EXPECT_GT(speed(), 6);
+    EXPECT_LT(speed(), 7) << "as soon as it is so fast, and not where it runs away";
+    work_until_told(1);
+    EXPECT_EQ(alert()->condition, AlertCondition::rectified_unacknowledged);
+    EXPECT_LT(speed(), 5);
+    work_until_told(0);
+    work_until_told(0);
+    EXPECT_EQ(alert()->condition, AlertCondition::rectified_unacknowledged);
+    EXPECT_GT(speed(), 9) << "from there on the runaway's alarm stands in its place";
+}
+
 TEST_F(SessionTest, ATrippedMotorIsAnAlarmOnDeckUntilItIsReset) {
     const exercise::ExerciseDef def;
     Session session(def, options());

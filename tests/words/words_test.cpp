@@ -165,7 +165,8 @@ TEST(Words, SentencesHavePlacesThatCanBeFilled) {
 TEST(Words, BordersOfOneKindRise) {
     EXPECT_LT(limits::stay_medium, limits::stay_short);
     EXPECT_LT(limits::stay_short, limits::stay_up_and_down);
-    EXPECT_LT(limits::cable_fast, limits::cable_runaway);
+    EXPECT_LT(limits::cable_fast, limits::cable_unchecked);
+    EXPECT_LT(limits::cable_unchecked, limits::cable_runaway);
     EXPECT_LT(limits::lining_warm, limits::lining_smells);
     EXPECT_LT(limits::lining_smells, limits::lining_smokes);
     EXPECT_LT(limits::lining_smokes, limits::lining_burns);
