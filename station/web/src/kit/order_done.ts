@@ -4,7 +4,7 @@
 
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState, ReportCode, type SeatEvent } from "../wire/generated";
 import { isQuestion } from "./orders";
-import { allSaid, bareReport, figureText, reportRows, reportText, spoken } from "./words";
+import { allSaid, bareReport, figureText, orderRows, reportRows, reportText, spoken } from "./words";
 
 const O = BridgeOrderCode;
 const R = ReportCode;
@@ -14,7 +14,7 @@ export type ReportLine = Pick<SeatEvent, "code" | "side" | "time" | "text">;
 type Order = Pick<BridgeOrder, "number" | "code" | "side" | "value" | "time" | "state">;
 
 const kShackles = [R.REPORT_SHACKLES_ON_DECK, R.REPORT_SHACKLES_IN_WATER, R.REPORT_SHACKLES_IN_PIPE];
-/** By which report a question is answered, or an order carried out; of a length, with its figure. */
+/** By which report a question is answered, or an order carried out; of a length in shackles, with its figure. */
 export const reportsOf: Partial<Record<BridgeOrderCode, readonly ReportCode[]>> = {
   [O.BRIDGE_ORDER_HOW_MUCH]: kShackles,
   [O.BRIDGE_ORDER_HOW_LEADING]: [R.REPORT_LEAD, R.REPORT_SHORT_STAY, R.REPORT_UP_AND_DOWN],
@@ -23,14 +23,14 @@ export const reportsOf: Partial<Record<BridgeOrderCode, readonly ReportCode[]>> 
   [O.BRIDGE_ORDER_BROUGHT_UP]: [R.REPORT_BROUGHT_UP, R.REPORT_GROWING, R.REPORT_DRAGGING, R.REPORT_LEAD],
   [O.BRIDGE_ORDER_STAND_BY]: [R.REPORT_STANDING_BY, R.REPORT_ANCHOR_READY],
   [O.BRIDGE_ORDER_CLEAR_AWAY]: [R.REPORT_STANDING_BY, R.REPORT_ANCHOR_READY],
-  [O.BRIDGE_ORDER_WALK_OUT]: [R.REPORT_STANDING_BY, R.REPORT_ANCHOR_READY],
+  [O.BRIDGE_ORDER_WALK_OUT]: [R.REPORT_STANDING_BY, R.REPORT_ANCHOR_READY, ...kShackles],
   [O.BRIDGE_ORDER_LET_GO]: [R.REPORT_LET_GO, R.REPORT_ON_THE_BOTTOM],
   [O.BRIDGE_ORDER_PAY_OUT]: kShackles,
   [O.BRIDGE_ORDER_VEER]: kShackles,
   [O.BRIDGE_ORDER_WALK_BACK]: kShackles,
   [O.BRIDGE_ORDER_HOLD_ON]: kShackles,
   [O.BRIDGE_ORDER_HEAVE_TO]: kShackles,
-  [O.BRIDGE_ORDER_HEAVE]: [R.REPORT_ANCHOR_HOME],
+  [O.BRIDGE_ORDER_HEAVE]: [R.REPORT_ANCHOR_HOME], // shackles, stays and "aweigh" are told on the way there
   [O.BRIDGE_ORDER_SECURE]: [R.REPORT_SECURED],
   [O.BRIDGE_ORDER_BUOY_CABLE]: [R.REPORT_READY_TO_SLIP],
   [O.BRIDGE_ORDER_SLIP]: [R.REPORT_SLIPPED],
@@ -98,11 +98,13 @@ function says(words: string, code: ReportCode, side: number, figure: number | un
 export function isAnswered(order: Order, log: readonly ReportLine[]): boolean {
   const codes = reportsOf[order.code];
   if (!codes) return false;
+  const { unit } = orderRows[order.code] ?? {};
   return log.some(({ code: line, side, time, text }) => {
     if (line !== "report.made" || time < order.time || !isOf(side, order.side)) return false;
     const words = spoken(text);
     return codes.some((code) => {
-      const asked = reportRows[code]?.unit && !isQuestion(order) ? order.value : undefined;
+      // An anchor is walked out to metres, and whatever is reported of its shackles is of that.
+      const asked = unit && reportRows[code]?.unit === unit ? order.value : undefined;
       return says(words, code, side, asked);
     });
   });

@@ -72,6 +72,18 @@ test("an order is carried out by the report that says so; of a length, by its ow
   assert.ok(canBeCancelled(heave, [heave], [made(11, R.REPORT_HEAVING)]), "it is still being done");
 });
 
+test("walking out to metres is answered by any shackles, as to the server; heaving up, once the anchor is home", () => {
+  const walkOut = order(1, O.BRIDGE_ORDER_WALK_OUT, { value: 14 });
+  for (const code of [R.REPORT_SHACKLES_ON_DECK, R.REPORT_SHACKLES_IN_PIPE, R.REPORT_SHACKLES_IN_WATER])
+    assert.ok(isAnswered(walkOut, [made(11, code, { value: 0.5 })]));
+  assert.ok(isAnswered(walkOut, [made(11, R.REPORT_ANCHOR_READY)]));
+  assert.ok(!isAnswered(walkOut, [made(11, R.REPORT_LET_GO)]));
+  const heave = order(1, O.BRIDGE_ORDER_HEAVE);
+  for (const on of [made(11, R.REPORT_SHACKLES_ON_DECK, { value: 2 }), made(11, R.REPORT_ANCHOR_AWEIGH)])
+    assert.ok(canBeCancelled(heave, [heave], [on]), "she may still be told to stop");
+  assert.ok(!canBeCancelled(heave, [heave], [made(11, R.REPORT_ANCHOR_HOME)]));
+});
+
 test("an order whose place a later one of that windlass has taken is not offered, until that is cancelled", () => {
   const standBy = order(1, O.BRIDGE_ORDER_STAND_BY);
   const letGo = order(2, O.BRIDGE_ORDER_LET_GO);
