@@ -24,13 +24,16 @@ export function askingOf(log: readonly { code: string; time: number; value: numb
   return asking;
 }
 
-/** "the bridge asks, and has had no answer for 0:10: at 1:03 it gives up, and the lesson ends". time: s, of now. */
+/**
+ * "the bridge has been asking for 0:10, and has no answer: at 1:03 it gives up, and the lesson ends". It counts from
+ * its asking and not from the order, which had its own time to be repeated and carried out in. time: s, of now.
+ */
 export function asksInVain({ since, gives_up }: Asking, time: number): string {
   const lasts = clock(kStep * Math.floor(Math.max(0, time - since) / kStep));
   return time < gives_up
-    ? t("the bridge asks, and has had no answer for {lasts}: at {time} it gives up, and the lesson ends", {
+    ? t("the bridge has been asking for {lasts}, and has no answer: at {time} it gives up, and the lesson ends", {
         lasts,
         time: clock(gives_up),
       })
-    : t("the bridge asks, and has had no answer for {lasts}: it gives up, and the lesson ends", { lasts });
+    : t("the bridge has been asking for {lasts}, and has no answer: it gives up, and the lesson ends", { lasts });
 }

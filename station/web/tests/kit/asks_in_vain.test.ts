@@ -24,7 +24,7 @@ test("it does so no more once it has its answer, or the lesson is over; and anew
 test("it is told for how long, in fives of seconds, and when the lesson ends by it", () => {
   const asking = { since: 18, gives_up: 63 };
   const said = (time: number): string => asksInVain(asking, time);
-  assert.match(said(18.2), /no answer for 0:00: at 1:03 it gives up, and the lesson ends$/);
-  assert.match(said(41), /no answer for 0:20: at 1:03/);
-  assert.match(said(63.2), /no answer for 0:45: it gives up, and the lesson ends$/);
+  assert.match(said(18.2), /has been asking for 0:00, and has no answer: at 1:03 it gives up, and the lesson ends$/);
+  assert.match(said(41), /asking for 0:20, and has no answer: at 1:03/);
+  assert.match(said(63.2), /asking for 0:45, and has no answer: it gives up, and the lesson ends$/);
 });
