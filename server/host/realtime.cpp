@@ -29,23 +29,18 @@ std::string reason() {
     return std::error_code(errno, std::generic_category()).message();
 }
 
-/// Of threads that begin from now on. Where memory is locked all of a stack is there at once, which is 8 MB
-/// as a rule, and Fast DDS begins a thread for each port.
-void keep_stacks_small() {
-    constexpr std::size_t kStack = 2UL << 20; // bytes
-    pthread_attr_t attributes;
-    pthread_attr_init(&attributes);
-    pthread_attr_setstacksize(&attributes, kStack);
-    pthread_setattr_default_np(&attributes);
-    pthread_attr_destroy(&attributes);
+/// Programs and libraries are brought in whole, since a first use of theirs may wait for the disk. A page of
+/// memory is taken at its first use, which costs a microsecond or two, and then stays: three quarters of what
+/// an exercise has are for storms of events and heaps of cable that few ever see.
+bool lock_memory() {
+    return mlockall(MCL_CURRENT) == 0 && mlockall(MCL_FUTURE | MCL_ONFAULT) == 0;
 }
 
 } // namespace
 
 std::vector<std::string> enter_realtime() {
-    keep_stacks_small();
     std::vector<std::string> refused;
-    if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) {
+    if (!lock_memory()) {
         refused.push_back("memory cannot be locked (" + reason() +
                           "): raise `ulimit -l` or give the program CAP_IPC_LOCK");
     }

@@ -5,10 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/mman.h>
 #include <sys/resource.h>
 
+#include <cstdint>
+#include <fstream>
 #include <functional>
 #include <future>
+#include <sstream>
+#include <string>
 #include <thread>
 
 namespace windlass::host {
@@ -58,6 +63,35 @@ TEST_F(Realtime, TicksGoBeforeTheRestOfTheirProcess) {
         const Scheduling ticks = task.answer();
         EXPECT_EQ(ticks.policy, SCHED_FIFO);
         EXPECT_GT(ticks.priority, others.priority);
+    });
+}
+
+/// kB of that kind (a name in /proc/self/smaps) in the mapping that begins there.
+int kilobytes(const void* begin, const std::string& kind) {
+    std::ostringstream address;
+    address << std::hex << reinterpret_cast<std::uintptr_t>(begin) << '-';
+    std::ifstream maps("/proc/self/smaps");
+    bool found = false;
+    for (std::string line; std::getline(maps, line);) {
+        found = found || line.starts_with(address.str());
+        if (found && line.starts_with(kind + ':')) return std::stoi(line.substr(kind.size() + 1));
+    }
+    return -1;
+}
+
+TEST_F(Realtime, MemoryIsThereFromItsFirstUseOnAndStays) {
+    in_realtime([] {
+        for (const std::string& refused : enter_realtime())
+            if (refused.starts_with("memory")) GTEST_SKIP() << refused;
+        constexpr std::size_t kRoom = 16UL << 20;
+        // Shared, so that it is a mapping of its own.
+        void* room = mmap(nullptr, kRoom, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        ASSERT_NE(room, MAP_FAILED);
+        EXPECT_EQ(kilobytes(room, "Rss"), 0) << "room for a storm that does not come";
+        *static_cast<volatile char*>(room) = 1;
+        EXPECT_GT(kilobytes(room, "Rss"), 0);
+        EXPECT_EQ(kilobytes(room, "Locked"), kilobytes(room, "Pss")) << "what is used is not taken away";
+        munmap(room, kRoom);
     });
 }
 
