@@ -159,11 +159,12 @@ double Anchor::potential_energy(const EnvironmentDef& environment) const {
 
 void Anchor::take_water_along(const EnvironmentDef& environment) {
     const double mass_now = dry_mass_ + kAnchorAddedMass * submerged(environment) * displaced_mass_;
-    const double mass_was = mass(), energy_was = kinetic_energy();
-    if (mass_now != mass_was) {
-        body_.set_motion(body_.motion() * (mass_was / mass_now));
-        body_.set_mass(mass_now);
-    }
+    const double mass_was = mass();
+    step_.water_entry_loss = 0;
+    if (mass_now == mass_was) return;
+    const double energy_was = kinetic_energy();
+    body_.set_motion(body_.motion() * (mass_was / mass_now));
+    body_.set_mass(mass_now);
     step_.water_entry_loss = energy_was - kinetic_energy();
 }
 

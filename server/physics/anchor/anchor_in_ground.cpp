@@ -29,6 +29,12 @@ constexpr double kOldCable = 2 * 1136, kOldCableHolds = 2;
 /// Anchors yield above so many times their proof load and are bent all the way at 1.5 times that; tuned.
 constexpr double kYield = 1.5, kBentAllTheWay = 1.5;
 
+/// Whether nothing within this reach (m) of its middle can be so near (m) to a level bed: of an anchor that
+/// hangs in deep water that says as much as all of its corners. Twice the reach, so that no rounding counts.
+bool far_above_bed(const EnvironmentDef& environment, const Vec3& middle, double reach, double near) {
+    return !environment.ground && height_over_bed(environment, middle) - 2 * reach > near;
+}
+
 } // namespace
 
 Soil Anchor::soil(const EnvironmentDef& environment) const {
@@ -38,13 +44,17 @@ Soil Anchor::soil(const EnvironmentDef& environment) const {
 
 /// Flukes that are still in hold it while the crown rises.
 bool Anchor::touches(const EnvironmentDef& environment) const {
-    return clearance(environment) < kTouching || holding_.dug.squaredNorm() > 0;
+    const bool lies = !far_above_bed(environment, body_.position(), reach_, kTouching) &&
+                      clearance(environment) < kTouching;
+    return lies || holding_.dug.squaredNorm() > 0;
 }
 
 /// Whether no part of it comes near a level bed in a step of dt (s), however it turns.
 bool Anchor::clear_of_bed(const EnvironmentDef& environment, double dt) const {
     constexpr double kNear = 0.5; // m; Bullet looks for contacts some centimetres ahead
-    return !environment.ground && clearance(environment) > kNear + dt * fastest();
+    const double near = kNear + dt * fastest();
+    return far_above_bed(environment, body_.position(), reach_, near) ||
+           (!environment.ground && clearance(environment) > near);
 }
 
 /// Whatever uplift does to flukes that are in: what is left of the weight on the bed rubs.

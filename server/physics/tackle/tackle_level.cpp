@@ -49,7 +49,8 @@ AnchorAtRest GroundTackle::anchor_at_rest(const EnvironmentDef& environment) con
     constexpr double kStill = 2e-3; // m/s, as for the chain
     const HoldingState& holding = anchor_.holding();
     const bool still = holding.landed && !holding.dragging && anchor_.shackle_velocity().norm() < kStill;
-    return {chain_.asleep > 0 || still, anchor_.holding_power(environment, shackle_pull(environment))};
+    if (chain_.asleep == 0 && !still) return {};
+    return {true, anchor_.holding_power(environment, shackle_pull(environment))};
 }
 
 /// After a dynamic step: who may sleep, and whether the catenary will do.
