@@ -184,7 +184,8 @@ void HostedExercise::beat() {
     }
     if (kept_ && kept_->wants_checkpoint()) session_.take_checkpoint_now();
     const auto now = Clock::now();
-    look_ahead(now);
+    // Ten times a second: what stands beside it lies in memory that no tick needs.
+    if (now - shown_at_ >= kShownEvery) look_ahead(now);
     pacer_.beat_ended(ticks, now);
     session_.report_pace(pacer_.lateness(), pacer_.overruns(), pacer_.scale_achieved(), publisher_.dropped());
     if (setups_ != session_.setups()) {
