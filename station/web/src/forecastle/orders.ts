@@ -22,6 +22,10 @@ function newestFirst(orders: BridgeOrder[], run: number | undefined): BridgeOrde
 /** A report in the log. */
 type Made = SeatEvent & { left: boolean };
 
+/** Whether its repeat asks for the figure first. */
+const isRepeatedWithFigure = ({ code, value }: BridgeOrder): boolean =>
+  orderUnit(code) !== undefined && !(value === 0 && orderMayBeBare(code));
+
 const isToRepeat = (order: BridgeOrder): boolean => isOpen(order) && !isQuestion(order);
 
 export class Orders {
@@ -117,7 +121,11 @@ export class Orders {
       open &&
       h(
         "button",
-        { class: "primary", "aria-label": t("repeat back: {order}", { order: written(order) }) },
+        {
+          class: "primary",
+          "aria-haspopup": isRepeatedWithFigure(order) && "dialog",
+          "aria-label": t("repeat back: {order}", { order: written(order) }),
+        },
         t("Repeat"),
       );
     if (button) button.addEventListener("click", () => this.ask(order, button));
@@ -146,7 +154,7 @@ export class Orders {
   /** At one touch where the order has no figure; else the trainee says the figure. */
   private ask(order: BridgeOrder, button: HTMLButtonElement): void {
     const unit = orderUnit(order.code);
-    if (!unit || (order.value === 0 && orderMayBeBare(order.code))) {
+    if (!unit || !isRepeatedWithFigure(order)) {
       this.repeat(order, 0);
       return;
     }
