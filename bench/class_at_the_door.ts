@@ -275,7 +275,7 @@ class Hand {
       if (has(/leading/i) && this.first("leading")) {
         await this.report("Lead");
         await this.page
-          .getByRole("button", { name: /up and down/i })
+          .getByRole("button", { name: "Up and down", exact: true })
           .last()
           .click()
           .catch(() => {});

@@ -422,17 +422,17 @@ describe("the bridge", () => {
     assert.ok(await button("Home").isVisible(), "is a touch away");
     await button("Bringing up").click();
     await button("Growing, weight").click();
-    await choice("tight").click();
+    await choice("Tight").click();
     await eventually("reported", () => log("tight").isVisible());
     await button("Growing, weight").click();
-    await choice("much weight").click();
+    await choice("Much weight").click();
     await eventually("reported", () => log(/much weight/).isVisible());
     await button("n in water").click();
     await choice("3").click();
     await eventually("reported", () => log(/3 .*water/).isVisible());
     await button("Lead").click();
     await choice("11 o'clock").click();
-    await choice("short stay").click();
+    await choice("Short stay").click();
     await eventually("reported", () => log(/11/).isVisible());
     await button("Own words").click();
     await page.getByRole("textbox", { name: "report in own words" }).fill("cable is clear of the anchor");
@@ -446,10 +446,10 @@ describe("the bridge", () => {
     await rig.say("order", "brought-up", "--side", "port");
     const asked = order("is she brought up?");
     await asked.getByRole("button", { name: /^answer/ }).click();
-    for (const answer of ["Brought up", "She is dragging", "slack", "growing", "tight", "12 o'clock"])
+    for (const answer of ["Brought up", "She is dragging", "Slack", "Growing", "Tight", "12 o'clock"])
       assert.ok(await dialog.getByRole("button", { name: answer, exact: true }).isVisible(), answer);
     assert.equal(await asked.getAttribute("data-stands"), "");
-    await dialog.getByRole("button", { name: "tight", exact: true }).click();
+    await dialog.getByRole("button", { name: "Tight", exact: true }).click();
     await eventually("it is answered", () => asked.getByText("answered").isVisible());
     assert.equal(await asked.getAttribute("data-stands"), null);
     assert.equal(await asked.getByRole("button").count(), 0);

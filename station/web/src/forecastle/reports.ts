@@ -39,6 +39,8 @@ function choiceOf(code: ReportCode): Choice[] {
 }
 /** Reports that are said by a touch of what they tell. */
 const kOfChoices = new Set([ReportCode.REPORT_LEAD, ReportCode.REPORT_GROWING, ReportCode.REPORT_WEIGHT]);
+/** What the lead says too, with the hour to it. */
+const kOfTheLead = new Set([ReportCode.REPORT_SHORT_STAY, ReportCode.REPORT_UP_AND_DOWN]);
 const labelOf = (code: ReportCode): string => reportRows[code]!.label!;
 
 export class Reports {
@@ -128,8 +130,9 @@ export class Reports {
   answer(question: BridgeOrder, from: HTMLElement): void {
     const side = question.side < 0 ? this.side() : question.side;
     const codes = reportsOf[question.code] ?? [];
+    const asksLead = codes.includes(ReportCode.REPORT_LEAD);
     const plain: HTMLElement[] = codes.flatMap(choiceOf).flatMap(({ code, label, unit }) => {
-      if (kOfChoices.has(code)) return [];
+      if (kOfChoices.has(code) || (asksLead && kOfTheLead.has(code))) return [];
       if (!unit) return [h("button", { onclick: () => this.say(code, {}, side) }, capital(label))];
       const pad = (): void => {
         this.popover.close(); // else the same button would only shut it
@@ -143,7 +146,7 @@ export class Reports {
       ...(plain.length > 0 ? [h("div", { class: "choices" }, ...plain)] : []),
       ...(codes.includes(ReportCode.REPORT_GROWING) ? [this.growing(side)] : []),
       ...(codes.includes(ReportCode.REPORT_WEIGHT) ? [this.weights(side)] : []),
-      ...(codes.includes(ReportCode.REPORT_LEAD) ? [this.leads(side)] : []),
+      ...(asksLead ? [this.leads(side)] : []),
     );
   }
 
@@ -202,14 +205,18 @@ export class Reports {
     return h(
       "div",
       { class: "choices" },
-      ...given.map(([value, text]) => h("button", { onclick: () => chosen(value) }, text)),
+      ...given.map(([value, text]) => h("button", { onclick: () => chosen(value) }, capital(text))),
     );
   }
 
   /** What may be ordered instead, as far as it needs no figure; nothing: the order is unsafe, and that is all. */
   private proposals(): HTMLElement {
     const propose = (text: string, order_code?: string): HTMLElement =>
-      h("button", { onclick: () => this.say(ReportCode.REPORT_UNSAFE, order_code ? { order_code } : {}) }, text);
+      h(
+        "button",
+        { onclick: () => this.say(ReportCode.REPORT_UNSAFE, order_code ? { order_code } : {}) },
+        capital(text),
+      );
     return h(
       "div",
       { class: "choices" },
@@ -274,7 +281,7 @@ export class Reports {
             say();
           },
         },
-        saidOf("StayGiven", given),
+        capital(saidOf("StayGiven", given)),
       ),
     );
     return h(
