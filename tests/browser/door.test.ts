@@ -294,6 +294,10 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await beside.getByRole("link", { name: /carla/ }).click();
   await eventually("each leads to its debriefing", () => beside.url().includes("/door/debriefing?recording="));
   await beside.close();
+  await on(owner, "End the class").evaluate((button) => {
+    for (const type of ["keydown", "keyup"]) button.dispatchEvent(new KeyboardEvent(type, { key: "Enter" }));
+  });
+  await on(owner, "Hold: End the class").waitFor(); // who only touches it is told
   await debriefing.locator('a[href^="/replay?"]').first().click();
   await eventually("its times open the replay", () => debriefing.url().includes("/instructor?exercise=replay-"));
   replay = debriefing.url();

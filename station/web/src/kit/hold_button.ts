@@ -16,13 +16,14 @@ export class HoldGuard {
   /**
    * element: the button; it shows how far it has been held (kit.css, .hold). time: ms that a hand must hold it, 0: acts
    * at the first touch; asked anew at each touch. act: what it does then. waits: told when a click without a hand waits
-   * for the second, and when it does no more.
+   * for the second, and when it does no more. tooShort: told when a hand has let go before it acted.
    */
   constructor(
     private readonly element: HTMLButtonElement,
     private readonly time: () => number,
     private readonly act: () => void,
     private readonly waits: (again: boolean) => void = () => {},
+    private readonly tooShort: () => void = () => {},
   ) {
     element.classList.add("hold");
     element.addEventListener("pointerdown", (event) => {
@@ -63,13 +64,18 @@ export class HoldGuard {
     this.element.style.setProperty("--hold-time", `${time}ms`);
     setAttribute(this.element, "data-held", "");
     this.timer = setTimeout(() => {
-      this.release();
+      this.leave();
       this.act();
     }, time);
   }
 
   release(): void {
     if (this.timer === undefined) return;
+    this.leave();
+    this.tooShort();
+  }
+
+  private leave(): void {
     clearTimeout(this.timer);
     this.timer = this.by = undefined;
     setAttribute(this.element, "data-held", undefined);
@@ -94,7 +100,7 @@ export class HoldGuard {
   }
 }
 
-/** A button that acts when it was held for so many seconds. */
+/** A button that acts when it was held for so many seconds, and says so to who has only touched it. */
 export function holdButton(
   text: string,
   seconds: number,
@@ -108,6 +114,12 @@ export function holdButton(
     words,
   );
   const waits = (again: boolean): void => setText(words, again ? t("{text}: again to confirm", { text }) : text);
-  new HoldGuard(button, () => seconds * 1000, act, waits);
+  let said: ReturnType<typeof setTimeout> | undefined;
+  const tooShort = (): void => {
+    clearTimeout(said);
+    setText(words, t("Hold: {text}", { text }));
+    said = setTimeout(() => setText(words, text), kAgain);
+  };
+  new HoldGuard(button, () => seconds * 1000, act, waits, tooShort);
   return button;
 }

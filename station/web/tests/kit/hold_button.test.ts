@@ -53,12 +53,13 @@ function clock(t: TestContext): (ms: number) => void {
 function guarded(t: TestContext, time = kTime) {
   const wait = clock(t);
   const button = new Button();
-  const seen = { acts: 0, waits: [] as boolean[] };
+  const seen = { acts: 0, waits: [] as boolean[], tooShort: 0 };
   const guard = new HoldGuard(
     button as unknown as HTMLButtonElement,
     () => time,
     () => ++seen.acts,
     (again) => seen.waits.push(again),
+    () => ++seen.tooShort,
   );
   return { button, guard, seen, wait };
 }
@@ -77,6 +78,19 @@ test("it acts when it was held, and not when it was touched", (t) => {
   wait(kTime);
   assert.equal(seen.acts, 1);
   assert.ok(!button.held);
+});
+
+test("who has only touched it is told that it is to be held, and who has held it is not", (t) => {
+  const { button, seen, wait } = guarded(t);
+  button.get("pointerdown", down(1));
+  button.get("pointerup", down(1));
+  assert.equal(seen.tooShort, 1);
+  button.get("lostpointercapture", down(1)); // comes behind each release
+  assert.equal(seen.tooShort, 1);
+  button.get("pointerdown", down(1));
+  wait(kTime);
+  button.get("pointerup", down(1));
+  assert.deepEqual([seen.acts, seen.tooShort], [1, 1]);
 });
 
 test("a second finger, on another control or on this one, does not let go of it", (t) => {
