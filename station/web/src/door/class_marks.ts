@@ -1,10 +1,11 @@
 // What came of a class: who sat where, the marks, and the way to each debriefing.
 
 import { capital, endingSaid, outcomeSaid } from "../kit/words";
-import { h, setText } from "../kit/dom";
+import { h, setShown, setText } from "../kit/dom";
 import { pointsFigure, pointsSaid } from "../kit/points_said";
 import { clock } from "../kit/units";
 import {
+  Denied,
   type Again,
   type ClassExercise,
   type From,
@@ -196,20 +197,27 @@ class WordOn {
   }
 }
 
-/** Fills the cells by name, the words, and the list of classes that would do, once the history has the class. */
-async function fillNext(
-  it: TrainingClass,
-  cells: Map<string, HTMLElement>,
-  words: WordOn[],
-  list: HTMLElement,
-  open?: Open,
-): Promise<void> {
+/** Of the table, what the history fills. */
+interface ToCome {
+  /** What next, by name. */
+  cells: Map<string, HTMLElement>;
+  words: WordOn[];
+  /** Of classes that would do. */
+  list: HTMLElement;
+  /** Says that all this is not there yet. */
+  coming: HTMLElement;
+}
+
+/** Fills it once the history has the class. */
+async function fillNext(it: TrainingClass, toCome: ToCome, open?: Open): Promise<void> {
+  const { cells, words, list, coming } = toCome;
   const told = await ask<NextOfClass>(`next?class=${it.id}`);
   if (told.waits) {
     const shown = (): boolean => [...cells.values()].some((cell) => cell.isConnected);
-    setTimeout(() => shown() && tellNext(it, cells, words, list, open), kLook);
+    setTimeout(() => shown() && tellNext(it, toCome, open), kLook);
     return;
   }
+  setShown(coming, false);
   for (const word of words) word.take(told);
   const { next } = told;
   for (const one of next) {
@@ -230,8 +238,12 @@ async function fillNext(
   list.replaceChildren(...together(next).flatMap((group) => (group[0] ? [classOf(group, group[0])] : [])));
 }
 
-/** The list stands without it, too. */
-const tellNext: typeof fillNext = (...of) => fillNext(...of).catch(() => {});
+/** The list stands without it, too; a door without a history has nothing of it. */
+const tellNext: typeof fillNext = (it, toCome, open) =>
+  fillNext(it, toCome, open).catch((why: unknown) => {
+    if (why instanceof Denied && why.status === 404) setShown(toCome.coming, false);
+    else setText(toCome.coming, t("What next and assessors' words were not to be had."));
+  });
 
 /** Begins a class of those who are to do the same next. */
 export type Open = (group: Next[], from?: Again) => void;
@@ -250,6 +262,7 @@ export function classMarks(it: TrainingClass, title: string, judges: boolean, op
   const cells = new Map<string, HTMLElement>();
   const words: WordOn[] = [];
   const list = h("p", { class: "row next" });
+  const coming = h("p", { class: "quiet", role: "status" }, t("What next and assessors' words are coming."));
   const nextOf = (name: string): HTMLElement => {
     const cell = h("td", { class: "next" });
     if (!cells.has(name)) cells.set(name, cell); // who had two seats is told once
@@ -284,7 +297,7 @@ export function classMarks(it: TrainingClass, title: string, judges: boolean, op
   if (rows.length === 0)
     return { element: h("p", { class: "quiet" }, t("Nobody sat in this class.")), heard: () => {} };
   const heads = [t("Trainee"), t("Seat"), t("Marks"), t("Talk it over"), t("What next")];
-  const look = (): void => void tellNext(it, cells, words, list, open);
+  const look = (): void => void tellNext(it, { cells, words, list, coming }, open);
   look();
   let known = it.words;
   const element = h(
@@ -297,6 +310,7 @@ export function classMarks(it: TrainingClass, title: string, judges: boolean, op
       h("thead", {}, h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)))),
       h("tbody", {}, ...rows),
     ),
+    coming,
     open ? list : "",
     h(
       "p",
