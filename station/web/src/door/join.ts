@@ -5,6 +5,7 @@ import { type Me, act, ask } from "./ask";
 import { doorSaid } from "./door_sentences";
 import { field, form } from "./form";
 import { frame } from "./frame";
+import { showKeptMarks } from "../kit/kept_marks";
 import { t } from "../kit/language";
 import { capital } from "../kit/words";
 import { whySentAway } from "../wire/connection";
@@ -86,5 +87,6 @@ export function makeJoin(): void {
   );
   (given ? name : code).focus();
   look();
+  showKeptMarks();
   void ask<Me>("me").then((me) => (setup.hidden = !me.setup));
 }

@@ -19,6 +19,7 @@ import { begins, leave } from "./branch";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import type { OwnSeat } from "./instructions";
+import { dropMarks, keepMarks } from "./kept_marks";
 import { noticedAt } from "./noticed";
 import { written } from "./orders";
 import { pointsFigure, shareSaid } from "./points_said";
@@ -165,7 +166,7 @@ export class OwnMarks {
     "p",
     { class: "row class-over", role: "status", hidden: true },
     t("The class is over."),
-    h("a", { class: "plain", href: "/" }, t("Leave the seat")),
+    h("a", { class: "plain", href: "/", onclick: dropMarks }, t("Leave the seat")),
   );
   private shown: Assessment | undefined;
   private judged: OwnSeat | undefined;
@@ -238,7 +239,11 @@ export class OwnMarks {
   private stay(): boolean {
     if (!this.shown) return false;
     this.over.hidden = false;
-    this.element.onclose = () => location.assign("/");
+    keepMarks(this.head, this.body);
+    this.element.onclose = () => {
+      dropMarks();
+      location.assign("/");
+    };
     if (!this.element.open) this.element.showModal();
     return true;
   }
