@@ -252,11 +252,52 @@ test("a device that stands at a seat is led to it by an address that is opened o
   await on(owner, await owner.locator(".tabs button").first().textContent()).click();
 });
 
+/** The table of a class that is over says that something is still to come, as long as the history has not told it. */
+async function saysWhatIsComing() {
+  const coming = owner.getByText("What next and assessors' words are coming.");
+  assert.equal(await coming.isVisible(), false, "it has come");
+  let comes = () => {};
+  const told = new Promise<void>((resolve) => (comes = resolve));
+  const question = /\/door\/next\?/;
+  await owner.route(question, async (route) => {
+    await told;
+    await route.continue();
+  });
+  await on(owner, "New class").click();
+  await owner.locator(".tabs button").first().click();
+  await coming.waitFor();
+  comes();
+  await coming.waitFor({ state: "hidden" });
+  await owner.unroute(question);
+}
+
+/** A class that is over is called by its lesson's title, and by no file's name before that is known. */
+async function namesNoFile() {
+  let comes = () => {};
+  const told = new Promise<void>((resolve) => (comes = resolve));
+  const question = /\/door\/lessons/;
+  await owner.route(question, async (route) => {
+    await told;
+    await route.continue();
+  });
+  await owner.reload();
+  await owner.locator(".tabs button").first().click();
+  const heading = owner.locator(".class-marks h2");
+  assert.ok(!/L01_/.test(await heading.textContent()), await heading.textContent());
+  comes();
+  await eventually("its title", async () => /Let go the port anchor/.test(await heading.textContent()));
+  await owner.unroute(question);
+}
+
 test("with the class its seats end, and each seat's marks and debriefing are there", async () => {
   // By then it is lost that nobody has let go; what is not shown when a class ends went wrong at no moment.
   await eventually("a while", async () =>
     /running 0:5/.test(await owner.locator(".exercises .state").first().textContent()),
   );
+  await on(owner, "End the class").evaluate((button) => {
+    for (const type of ["keydown", "keyup"]) button.dispatchEvent(new KeyboardEvent(type, { key: "Enter" }));
+  });
+  await on(owner, "Hold: End the class").waitFor(); // who only touches it is told
   await on(owner, "End the class").focus();
   await owner.keyboard.down("Enter");
   const row = owner.locator(".class-marks tbody tr", { hasText: "carla" }).first();
@@ -287,6 +328,8 @@ test("with the class its seats end, and each seat's marks and debriefing are the
     /for practice.*not (yet|shown)/.test(await row.locator(".next").textContent()),
   );
   await look(owner, "class_over");
+  await saysWhatIsComing();
+  await namesNoFile();
   await owner.setViewportSize({ width: 390, height: 844 });
   await look(owner, "class_over_390");
   assert.equal(await beyond(owner), 0);
@@ -305,10 +348,6 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await beside.getByRole("link", { name: /carla/ }).click();
   await eventually("each leads to its debriefing", () => beside.url().includes("/door/debriefing?recording="));
   await beside.close();
-  await on(owner, "End the class").evaluate((button) => {
-    for (const type of ["keydown", "keyup"]) button.dispatchEvent(new KeyboardEvent(type, { key: "Enter" }));
-  });
-  await on(owner, "Hold: End the class").waitFor(); // who only touches it is told
   await debriefing.locator('a[href^="/replay?"]').first().click();
   await eventually("its times open the replay", () => debriefing.url().includes("/instructor?exercise=replay-"));
   replay = debriefing.url();

@@ -65,6 +65,7 @@ class ClassPage {
   private readonly tiles = new Map<string, { state: HTMLElement; trouble: HTMLElement; seats: HTMLElement }>();
   /** Of lessons, by file. */
   private readonly titles = new Map<string, string>();
+  private titled = false; // once they were asked for
   private readonly cctv = new CctvPictures(new Connection(""));
   /** Of each part, what it was made of. */
   private readonly made = new Map<HTMLElement, string>();
@@ -84,7 +85,13 @@ class ClassPage {
   ) {
     if (owns) this.devices = kiosks(() => address(this.known));
     const lessons = ask<Lessons>("lessons");
-    void lessons.then(({ files }) => files.forEach(({ name, title }) => this.titles.set(name, title || name)));
+    void lessons
+      .then(({ files }) => files.forEach(({ name, title }) => this.titles.set(name, title || name)))
+      .catch(() => {}) // then their files' names are shown
+      .finally(() => {
+        this.titled = true;
+        if (this.heard) this.draw();
+      });
     this.newClass = newClass(
       lessons,
       () => this.known.classes.map(({ id }) => id),
@@ -121,8 +128,9 @@ class ClassPage {
     setTimeout(() => this.notice.textContent === text && this.say(""), kConfirmed);
   }
 
+  /** Empty as long as it is not known. */
   private titleOf({ lesson }: TrainingClass): string {
-    return this.titles.get(lesson) ?? lesson;
+    return this.titles.get(lesson) ?? (this.titled ? lesson : "");
   }
 
   /** Resolves whether the door did it. */
@@ -254,11 +262,16 @@ class ClassPage {
     return bar;
   }
 
+  private lessonOf(it: TrainingClass): (Node | string)[] {
+    const title = this.titleOf(it);
+    return title ? [...lessonWords(title, it.practice), "; "] : [];
+  }
+
   /** In the bar: how many there are, and what becomes of who is to be moved. */
   private saidNow(it: TrainingClass): Node[] {
     const name = this.mover;
     return [
-      h("span", { class: "quiet" }, ...lessonWords(this.titleOf(it), it.practice), `; ${standing(it)}`),
+      h("span", { class: "quiet" }, ...this.lessonOf(it), standing(it)),
       ...waiting(it).map((line) => h("strong", { class: "waits" }, line)),
       ...(name === undefined
         ? []
