@@ -67,6 +67,8 @@ describe("two instructors", () => {
   test("the first takes over, and the second's desk says so", async () => {
     const [one, two] = desks;
     await takesOver(one);
+    const whole = (el: Element) => el.scrollWidth <= el.clientWidth;
+    assert.ok(await card(one).locator(".who").evaluate(whole), "whose they are is not cut off");
     await brake(one).fill("70"); // the anchor hangs on it
     await isAt(0.7);
     await says(two, "desk-1, instructor");

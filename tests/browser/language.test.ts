@@ -87,6 +87,10 @@ test("the desk's plots have a height to be read by, however many lines their bar
       return heights.length > 0 && Math.min(...heights) >= 50;
     });
   }
+  await page.setViewportSize({ width: 1280, height: 800 });
+  const beyond = () =>
+    page.locator(".panes, .desk > .middle").evaluateAll((all) => all.map((el) => el.scrollHeight - el.clientHeight));
+  await eventually("on a common screen all of them are in sight", async () => Math.max(...(await beyond())) <= 1);
   hadNoProblems(page);
   await closePage(page);
 });
