@@ -47,6 +47,11 @@ export class Lettering {
     this.signs.push(...boxes);
   }
 
+  /** Lets nothing be written there, the ship's own neither: it could not be read. */
+  cover(...boxes: Box[]): void {
+    this.words.push(...boxes);
+  }
+
   /** Something that is to be written, at the first of these places that has room. */
   add(its: number, ...places: Place[]): void {
     this.waiting.push({ rank: its, places });

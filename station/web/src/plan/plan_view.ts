@@ -206,6 +206,7 @@ export class PlanView {
     c.fillRect(0, 0, at.width, at.height);
     c.font = `12px "Noto Sans", sans-serif`;
     const sheet = { c, at, colours: this.colours, lettering: new Lettering() };
+    sheet.lettering.cover(...this.tools.boxes());
     layers.contours(sheet, picture.soundings);
     if (picture.landmarks) land(sheet, picture.landmarks.coasts);
     layers.soundings(sheet, picture.soundings);

@@ -2,6 +2,7 @@
 
 import { h, setAttribute, setText } from "../kit/dom";
 import { radians } from "../kit/units";
+import type { Box } from "./lettering";
 import type { Measuring } from "./measuring";
 import type { ParallelIndex } from "./parallel_index";
 import { t } from "../kit/language";
@@ -84,6 +85,15 @@ export class PlanTools {
     );
     setAttribute(button, "aria-haspopup", "dialog");
     return button;
+  }
+
+  /** Where the buttons lie on the plan, px. */
+  boxes(): Box[] {
+    const { offsetLeft, offsetTop } = this.element;
+    return Array.from(this.element.children as HTMLCollectionOf<HTMLElement>, (button) => {
+      const [left, top] = [offsetLeft + button.offsetLeft, offsetTop + button.offsetTop];
+      return { left, top, right: left + button.offsetWidth, bottom: top + button.offsetHeight };
+    });
   }
 
   /** Follows the plan's state. */

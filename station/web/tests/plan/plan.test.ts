@@ -124,6 +124,18 @@ test("of what would be written one over another the first by rank stays; her own
   assert.deepEqual(written, ["anchor", "contour", "sounding apart"]);
 });
 
+test("under what covers the plan nothing is written, her own words neither", () => {
+  const lettering = new Lettering();
+  const written: string[] = [];
+  const place = (text: string, x: number) => ({ box: around({ x, y: 0 }, 10), draw: () => written.push(text) });
+  lettering.cover(around({ x: 0, y: 0 }, 10));
+  lettering.add(rank.own, place("let go, under a button", 5), place("let go, beside it", 30));
+  lettering.add(rank.own, place("P", 0));
+  lettering.add(rank.sounding, place("25", -15));
+  lettering.write();
+  assert.deepEqual(written, ["let go, beside it"]);
+});
+
 test("what has no room on one side of its sign is written on another", () => {
   const lettering = new Lettering();
   const written: string[] = [];
