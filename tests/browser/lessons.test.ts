@@ -53,6 +53,11 @@ after(async () => {
   await rm(config, { recursive: true, force: true });
 });
 
+test("the box for practice stands beside its words", async () => {
+  const box = await page.getByLabel("for practice, with hints").boundingBox();
+  assert.ok(box.width < 30, `${box.width}`); // its label's words follow at a gap
+});
+
 test("a shipped lesson opens as a form made of its schema, with what it takes over", async () => {
   await page.locator(`.files button[data-name=${kSource}]`).click();
   await sound();
