@@ -2,9 +2,12 @@
 
 #include "server/run/session.hpp"
 
+#include "server/exercise/watch/event_detector.hpp"
 #include "server/run/limits.hpp"
 
 #include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
 
 namespace windlass::run {
 
@@ -15,6 +18,16 @@ constexpr const char* kUnattended = "levers.unattended";
 /// The side that events and alerts of these levers name.
 int side_of(LeverGroup levers) {
     return levers == LeverGroup::helm ? -1 : static_cast<int>(levers);
+}
+
+/// Whether brake and stopper hold the cable of that windlass: it wants no hand.
+bool is_secured(const exercise::Snapshot& snapshot, LeverGroup levers) {
+    return std::ranges::any_of(snapshot.tackle, [levers](const exercise::TackleView& tackle) {
+        const auto& windlass = tackle.windlass;
+        return static_cast<LeverGroup>(tackle.side) == levers &&
+               windlass.brake_position > exercise::kHardOn && windlass.stopper_closed &&
+               !windlass.stopper_sprung;
+    });
 }
 
 } // namespace
@@ -88,6 +101,8 @@ void Session::leave_alone(LeverGroup levers, const LeverOwnership::Hand& hand) {
             ? fmt::format("{} is not at the levers: nobody has the {}; {}", hand.source, name(levers), left)
             : fmt::format("{} is no longer heard and nobody has the {}: {}", hand.source, name(levers), left),
         side_of(levers));
+    if (hand.let_go && is_secured(snapshot_, levers))
+        return; // as whoever has secured an anchor goes away from it
     AlertView unattended = alert(
         kUnattended, side_of(levers), 0,
         {name(levers), hand.source, hand.let_go ? "is not at the levers" : "is not heard any more", left});

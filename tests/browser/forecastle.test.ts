@@ -457,7 +457,7 @@ describe("the bridge", () => {
 });
 
 test("an alert sounds, is acknowledged by F2, and stays until it is rectified", async () => {
-  await page.keyboard.press("ArrowDown");
+  for (let tap = 0; tap < 12; ++tap) await page.keyboard.press("ArrowDown"); // who leaves her secured raises none
   await eventually("mine", async () => (await owner()) === "mine");
   await page.getByRole("button", { name: "Leave them" }).click(); // the windlass is left alone
   await page.locator(".alert-button").click();
@@ -472,6 +472,7 @@ test("an alert sounds, is acknowledged by F2, and stays until it is rectified", 
     return false;
   });
   assert.equal(await unattended.count(), 1, "acknowledged, it stays");
+  await rig.truly("the brake is not hard on", ({ port }) => port.windlass.brake_position < 0.94);
   await page.locator(".alert-button").click();
   await secure(); // a hand comes back
   await eventually("it is rectified", async () => (await unattended.count()) === 0);

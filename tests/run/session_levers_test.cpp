@@ -13,6 +13,12 @@ using test::run_order;
 using SessionTest = test::SessionTest;
 using test::text_of;
 
+/// How often the alert of levers that nobody has was told since the last clear_news().
+int unattended(const Session& session) {
+    return static_cast<int>(
+        std::ranges::count(session.alerts(), std::string("levers.unattended"), &AlertView::code));
+}
+
 TEST_F(SessionTest, ForeignShipThatFallsSilentIsAnAlertUntilTheHelmIsMoved) {
     Session session({}, options());
     give(session, run_order(RunAction::start));
@@ -225,6 +231,39 @@ TEST_F(SessionTest, HandThatLetsGoIsNotSaidToBeUnheard) {
     give(session, levers(0), 11.15, "trainee-1"); // who lay there all the while
     EXPECT_EQ(text_of(session, "levers.taken"), "trainee-1 has the port windlass, handed back by instructor");
     EXPECT_EQ(count(session, "levers.lost"), 0);
+}
+
+TEST_F(SessionTest, WhoLetsGoOfASecuredWindlassIsNoAlert) {
+    Session session({}, options());
+    WriterKey writer{7};
+    const auto leave = [&](const exercise::WindlassOrder& as, double now) {
+        Inbox inbox;
+        inbox.orders.push_back({"trainee-1", exercise::Order{as}, false, writer});
+        session.carry_out(inbox, now);
+        for (int i = 0; i < 300; ++i)
+            session.tick();
+        session.clear_news();
+        Inbox left;
+        left.left.push_back(writer);
+        session.carry_out(left, now + 0.1);
+        hear_nothing(session, now + 0.1, now + 0.5);
+    };
+    leave({.brake = 1, .stopper_closed = true}, 10);
+    EXPECT_EQ(count(session, "levers.lost"), 1) << "it is told all the same";
+    EXPECT_EQ(unattended(session), 0);
+    writer = {8}; // each hand of a station has one of its own
+    leave({.brake = 1}, 20);
+    EXPECT_EQ(unattended(session), 1) << "the brake alone";
+}
+
+TEST_F(SessionTest, WhoFallsSilentAtASecuredWindlassIsAnAlert) {
+    Session session({}, options());
+    give(session, exercise::Order{exercise::WindlassOrder{.brake = 1, .stopper_closed = true}}, 10,
+         "trainee-1");
+    for (int i = 0; i < 300; ++i)
+        session.tick();
+    hear_nothing(session, 10, 10.3 + kHandSilent);
+    EXPECT_EQ(unattended(session), 1);
 }
 
 TEST_F(SessionTest, InstructorsLeversAreHeardBeforeATraineesWhateverHisStrength) {
