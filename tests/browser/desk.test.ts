@@ -51,6 +51,8 @@ test("start, time scale and pause reach the exercise, and the bar says so", asyn
   await field("time scale").selectOption("5");
   await rig.truly("five times as fast", ({ status }) => status.time_scale === 5);
   await eventually("the bar says so", async () => (await state.textContent()).includes("x5"));
+  await field("time scale").selectOption("0.25");
+  await eventually("with all its digits", async () => (await state.textContent()).includes("x0.25"));
   await field("time scale").selectOption("1");
   await button("Pause").click();
   await rig.truly("it stands", ({ status }) => status.state === "RUN_PAUSED");

@@ -12,6 +12,10 @@ import { t } from "./language";
 import { languageButton } from "./language_choice";
 import { unfoldButton } from "./unfold";
 
+/** As many digits as a scale has: 1, 0.5, 0.25. */
+const scaleDigits = (scale: number): number =>
+  Math.min(2, `${Math.round(100 * scale) / 100}`.split(".")[1]?.length ?? 0);
+
 export class TopBar {
   readonly element: HTMLElement;
   /** For what a page adds: who has the levers, buttons. */
@@ -93,7 +97,7 @@ export class TopBar {
     const running = status.state === RunState.RUN_RUNNING;
     const achieved = status.time_scale_achieved;
     const slow = running && status.time_scale > 0 && achieved < 0.9 * status.time_scale;
-    const scale = running ? ` x${figure(status.time_scale, status.time_scale % 1 ? 1 : 0)}` : "";
+    const scale = running ? ` x${figure(status.time_scale, scaleDigits(status.time_scale))}` : "";
     const falls = slow ? ` ${t("(x{scale} achieved)", { scale: figure(achieved, 1) })}` : "";
     const words = `${runStateWords(status.state)}${scale}${falls}`;
     setText(this.state, this.silent ? t("not heard") : words);
