@@ -119,6 +119,19 @@ test("the ammeter has a red line at the motor's rated current, and says what it 
   assert.equal(await motor.getAttribute("title"), "red line: rated current, 180 A");
 });
 
+test("the figures of the speed lever stand beside its knob, not under it", async () => {
+  const under = await page.evaluate(() => {
+    const knob = document.querySelector(".slot .knob").getBoundingClientRect();
+    return [...document.querySelectorAll(".slot .tick")].filter((tick) => {
+      const words = document.createRange();
+      words.selectNodeContents(tick);
+      const { left, right, top, bottom } = words.getBoundingClientRect();
+      return right > left && right > knob.left && bottom > knob.top && top < knob.bottom;
+    }).length;
+  });
+  assert.equal(under, 0);
+});
+
 describe("levers as found", () => {
   test("a page that only looks on takes nothing", async () => {
     await eventually("nobody has the levers", async () => (await owner()) === "nobody");
@@ -459,6 +472,7 @@ describe("the bridge", () => {
 test("an alert sounds, is acknowledged by F2, and stays until it is rectified", async () => {
   for (let tap = 0; tap < 12; ++tap) await page.keyboard.press("ArrowDown"); // who leaves her secured raises none
   await eventually("mine", async () => (await owner()) === "mine");
+  await rig.truly("the brake is not hard on", ({ port }) => port.windlass.brake_position < 0.94);
   await page.getByRole("button", { name: "Leave them" }).click(); // the windlass is left alone
   await page.locator(".alert-button").click();
   // Others may wait too, the more urgent first (a loaded machine has its own): F2 takes them one by one.
@@ -472,7 +486,6 @@ test("an alert sounds, is acknowledged by F2, and stays until it is rectified", 
     return false;
   });
   assert.equal(await unattended.count(), 1, "acknowledged, it stays");
-  await rig.truly("the brake is not hard on", ({ port }) => port.windlass.brake_position < 0.94);
   await page.locator(".alert-button").click();
   await secure(); // a hand comes back
   await eventually("it is rectified", async () => (await unattended.count()) === 0);
@@ -702,4 +715,15 @@ test("a first visit explains itself in four pictures, once, and hides nothing th
   assert.equal(await guide.isVisible(), false, "who was here before is left alone");
   hadNoProblems(visitor);
   await closePage(visitor);
+});
+
+test("who works by a finger is told of no keys", async () => {
+  const url = station.url.replace("#", "?picture=off#");
+  for (const byFinger of [false, true]) {
+    const visitor = await openPage(url, { firstVisit: true, hasTouch: byFinger, isMobile: byFinger });
+    const guide = visitor.getByRole("region", { name: "first visit" });
+    await guide.waitFor();
+    assert.equal(/keys 1 to 4/.test(await guide.textContent()), !byFinger);
+    await closePage(visitor);
+  }
 });

@@ -51,7 +51,7 @@ class Picture {
   readonly seen = new Seen();
   readonly camera = new CameraPicture(new LookingOut());
   readonly canvas = h("canvas", { width: kWidth, height: kHeight, role: "img" });
-  readonly message = h("p", { class: "quiet" }, "\u2026");
+  readonly message = h("p", { class: "quiet" }, t("The picture is coming"));
   readonly element = h("div", { class: "cctv" }, this.canvas, this.message);
   onScreen = false;
   due = 0; // ms of performance.now()

@@ -9,6 +9,8 @@ import { t } from "../kit/language";
 const kOrder = orderLabel(BridgeOrderCode.BRIDGE_ORDER_LET_GO); // for example
 const kSeen = "windlass.first_visit";
 
+const byFinger = matchMedia("(pointer: coarse)").matches; // then there are no keys to tell of
+
 interface Step {
   title: string;
   text: string;
@@ -23,10 +25,15 @@ const word = (x: number, y: number, text: string): SVGElement => svg("text", { x
 const steps: readonly Step[] = [
   {
     title: t("Look"),
-    text: t(
-      "You stand at the windlass. The buttons on the picture, or the keys 1 to 4, take you over the bow, to the " +
-        "brake and aft. How the cable leads you see over the bow; how fast it runs you hear from where you stand.",
-    ),
+    text: byFinger
+      ? t(
+          "You stand at the windlass. The buttons on the picture take you over the bow, to the brake and aft. How the " +
+            "cable leads you see over the bow; how fast it runs you hear from where you stand.",
+        )
+      : t(
+          "You stand at the windlass. The buttons on the picture, or the keys 1 to 4, take you over the bow, to the " +
+            "brake and aft. How the cable leads you see over the bow; how fast it runs you hear from where you stand.",
+        ),
     part: "scene",
     picture: () => [
       line("M 8 22 L 96 22 L 74 66 L 8 66", "hull"),
