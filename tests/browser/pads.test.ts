@@ -1,12 +1,12 @@
-// Every pad that opens for a figure, a lead or an answer on the forecastle lies within the window, on a tablet, a small
-// screen and a phone, in both languages, and each of its buttons gets the touch.
+// Every pad that opens for a figure, a lead or an answer, and for an order's figure on the bridge, lies within the window,
+// on a tablet, a small screen and a phone, in both languages, and each of its buttons gets the touch.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
 import type { Locator } from "playwright-core";
 
-import { type TestPage, closeBrowser, openPage } from "./browser";
+import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
 import { hadNoProblems } from "./pages";
 import { Rig, eventually } from "./rig";
 
@@ -42,8 +42,8 @@ after(async () => {
 });
 
 /** Buttons and fields of the pad that lies open which lie beyond the window, or under something else. */
-const outOfTouch = (page: TestPage): Promise<string[]> =>
-  page.locator(".popover").evaluate((pad) =>
+const outOfTouch = (page: TestPage, pad = ".popover"): Promise<string[]> =>
+  page.locator(pad).evaluate((pad) =>
     [...pad.querySelectorAll("button, [role=button], input")].flatMap((control) => {
       const { left, top, right, bottom } = control.getBoundingClientRect();
       const within = left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight;
@@ -146,6 +146,29 @@ test("what answers a question is to be had, each answer once", { timeout: 300000
   const answers = await page.locator(".popover .choices button").allTextContents();
   assert.deepEqual(answers, ["Up and down", "Short stay", "Medium stay", "Long stay"]);
   await touch(page.locator(".popover > .row button"));
+});
+
+test("the figure of every order is to be had on the bridge", { timeout: 300000 }, async () => {
+  const station = await rig.station("bridge");
+  const wrong: string[] = [];
+  for (const locale of kLanguages) {
+    const page = await openPage(station.url.replace("#", "?picture=off#"), { hasTouch: true, isMobile: true, locale });
+    const openers = page.locator(".order-buttons button", { hasText: "\u2026" });
+    await eventually("it may give orders", () => openers.first().isEnabled());
+    for (const size of kSizes) {
+      const where = await sized(page, size);
+      for (const opener of await openers.all()) {
+        await touch(opener);
+        const pad = await page.locator(".figure-pad").getAttribute("aria-label");
+        assert.ok((await page.locator(".figure-pad button").count()) > 10, pad);
+        wrong.push(...(await outOfTouch(page, ".figure-pad")).map((what) => `${where}, ${pad}: ${what}`));
+        await touch(opener);
+      }
+    }
+    hadNoProblems(page);
+    await closePage(page);
+  }
+  assert.deepEqual(wrong, []);
 });
 
 test("however many orders have come, the page is no higher than the window", async () => {

@@ -150,6 +150,7 @@ export class OrderPanel {
       ...(unit.one === "metre" ? kMetres : kShackles).map((value) => choice(value, half(value))),
     );
     (this.pad.querySelector("button") as HTMLElement).focus();
+    this.pad.scrollIntoView({ block: "nearest" }); // all of it, and not its first row alone
   }
 
   /** Whether it went out; what did not is told. */
