@@ -16,6 +16,7 @@ struct Quantity {
     /// tackle: of the side that is looked at. Null: it is no figure of one tick (fold.hpp: figure()).
     double (*read)(const exercise::Snapshot& seen, const exercise::TackleView& tackle);
     double period = 0; ///< after which it comes round again: hours of the clock, degrees; 0: it does not
+    const char* not_so = ""; ///< of what is yes or no: how people say that it is not
 };
 
 std::span<const Quantity> quantities();

@@ -255,6 +255,8 @@ TEST(DebriefTest, PointsThatHaveNotPassedDoNotReadAsIfTheyHad) {
     EXPECT_EQ(points_text(69.96), "69.9");
     EXPECT_EQ(points_text(0.1 * 696), "69.6");
     EXPECT_EQ(points_text(70), "70.0");
+    EXPECT_EQ(share_text(6.25), "6.3") << "of a criterion, as pages have it";
+    EXPECT_EQ(share_text(10.86), "10.9");
     for (int tenths = 0; tenths <= 1000; ++tenths)
         ASSERT_EQ(points_in_tenths(0.1 * tenths), tenths);
     const Folder folder;
@@ -811,19 +813,30 @@ TEST(DebriefTest, QuestionOfBeforeTheMomentThatAnAttemptGoesOnFromIsToldByWhatTh
     EXPECT_NEAR(orders_said(attempt)[0].answered.value_or(0), 37.5, 1e-9);
 }
 
+TEST(DebriefTest, FiguresAreThoseOfTheTrade) {
+    EXPECT_EQ(figure_text(-0.1028, "shackles"), "-0.1 shackles");
+    EXPECT_EQ(figure_text(-0.001, "shackles"), "0 shackles");
+    EXPECT_EQ(figure_text(6.974, "shackles"), "6.97 shackles");
+    EXPECT_EQ(figure_text(11.7, "h"), "11.5 o'clock");
+    EXPECT_EQ(figure_text(0.1, "h"), "12 o'clock");
+    EXPECT_EQ(figure_text(308.15, "K"), "35 \u00b0C");
+    EXPECT_EQ(figure_text(-400, "N"), "0 kN");
+    EXPECT_EQ(figure_text(-1e-5, "m/s"), "0 m/s");
+}
+
 TEST(DebriefTest, LimitThatNeverCameIntoPlayHasNoWorst) {
     const Folder folder;
     Attempt attempt = attempt_of(folder);
     Criterion& limit = attempt.assessment->criteria()[1];
     limit.unit("K");
     limit.limit(423);
-    EXPECT_THAT(page_of(attempt, {}), HasSubstr("-266 degC")) << "6.9 K";
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("-266 \u00b0C")) << "6.9 K";
     limit.milli(0);
     limit.worst(0);
     limit.time_outside(0);
     for (const CriterionState state : {CRITERION_NOT_IN_PLAY, CRITERION_OVERRIDDEN}) {
         limit.state(state);
-        EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("-273 degC")));
+        EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("-273 \u00b0C")));
         EXPECT_TRUE(json_of(attempt)["assessment"]["criteria"][1]["worst"].is_null());
     }
 }
