@@ -7,6 +7,7 @@
 #include "recorder/debrief/page_parts.hpp"
 #include "recorder/debrief/page_style.hpp"
 #include "recorder/debrief/read_attempt.hpp"
+#include "recorder/debrief/seat_units.hpp"
 #include "recorder/export/csv_text.hpp"
 #include "recorder/resimulate/reassessment.hpp"
 #include "station/format.hpp"
@@ -38,7 +39,7 @@ std::vector<debrief::Moment> happened(const Attempt& attempt) {
         const bool of_people =
             code.starts_with("exercise.") || code.starts_with("classroom.") || code.starts_with("levers.");
         if (row != nullptr && row->moment && !of_people)
-            all.push_back({event.time(), station::told(event), event.side()});
+            all.push_back({event.time(), debrief::in_seat_units(station::told(event)), event.side()});
     }
     return all;
 }
@@ -84,12 +85,12 @@ std::string said_part(const Attempt& attempt) {
             const auto out = side.curves[debrief::kCableOut].at(each.time);
             const auto pull = side.curves[debrief::kTension].at(each.time);
             row.push_back(figure_cell(
-                out ? fmt::format("{}, {}", station::cable(*out), station::in_shackles(*out)) : ""));
+                out ? fmt::format("{}, {}", station::cable(*out), debrief::shackles_text(*out)) : ""));
             const debrief::Truth* truth = side.truth_at(each.time);
             row.push_back(text_cell(truth == nullptr ? ""
                                                      : fmt::format("{}, {}", station::lead(truth->lead_clock),
                                                                    station::words(truth->stay))));
-            row.push_back(figure_cell(pull ? fmt::format("{:.0f} kN", *pull) : ""));
+            row.push_back(figure_cell(pull ? station::tonnes(*pull * words::units::tonne) : ""));
         }
         const auto speed = attempt.ship[debrief::kSpeedOverGround].at(each.time);
         row.push_back(figure_cell(speed ? fmt::format("{:.1f} kn", *speed) : ""));
@@ -158,9 +159,9 @@ std::string page_of(const Sheet& sheet, const std::string& code) {
         "not told. Answer on paper, or in <code>{2}.csv</code>.</p>\n"
         "<h2>What the trainee was told</h2>\n<p>{3}</p>\n<h2>What was done</h2>\n<dl>\n{4}</dl>\n{5}{6}{7}"
         "<section>\n<h2>Your marks</h2>\n{8}</section>\n</main>\n</body>\n</html>\n",
-        escaped(title), debrief::kStyle, escaped(code), escaped(sheet.lesson.briefing), facts,
-        happened_part(context.moments), said_part(attempt), debrief::plots_part(context),
-        questions_part(sheet));
+        escaped(title), debrief::kStyle, escaped(code),
+        escaped(debrief::in_seat_units(sheet.lesson.briefing)), facts, happened_part(context.moments),
+        said_part(attempt), debrief::plots_part(context), questions_part(sheet));
 }
 
 std::string form_of(const Sheet& sheet, const std::string& code) {

@@ -2,7 +2,9 @@
 
 #include "common/figure_text.hpp"
 #include "recorder/debrief/curves.hpp"
+#include "recorder/debrief/seat_units.hpp"
 #include "station/format.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -42,6 +44,11 @@ std::string unlike(const Attempt& attempt, const Attempt& other) {
 
 namespace {
 
+/// m/s
+double speed_of(const Sample& of) {
+    return of.value * words::units::metre_a_minute;
+}
+
 void add_side(const Attempt& attempt, int index, std::vector<Figure>& figures) {
     const Side& side = attempt.sides[static_cast<std::size_t>(index)];
     if (!side.worked) return;
@@ -52,21 +59,21 @@ void add_side(const Attempt& attempt, int index, std::vector<Figure>& figures) {
             {fmt::format("{}_{}", id, of), fmt::format("{}, {}", name, of), value, unit, std::move(words)});
     };
     if (const auto& most = side.curves[kTension].largest()) {
-        const double newton = most->value * 1e3;
+        const double newton = most->value * words::units::tonne;
         add("largest_tension", "Largest tension at the lip", newton, "N",
-            fmt::format("{} at {}{}", station::load(newton), station::clock(most->time),
+            fmt::format("{} at {}{}", station::tonnes(newton), station::clock(most->time),
                         side.breaking_load > 0 ? fmt::format(", {} of the breaking load",
                                                              station::percent(newton / side.breaking_load))
                                                : ""));
     }
     if (const auto& most = side.curves[kCableSpeed].largest())
-        add("fastest_out", "Fastest cable, paying out", most->value, "m/s",
-            fmt::format("{:.2f} m/s at {}", most->value, station::clock(most->time)));
+        add("fastest_out", "Fastest cable, paying out", speed_of(*most), "m/s",
+            fmt::format("{} at {}", cable_speed_text(speed_of(*most)), station::clock(most->time)));
     if (const auto& least = side.curves[kCableSpeed].least(); least && least->value < 0)
-        add("fastest_in", "Fastest cable, heaving", -least->value, "m/s",
-            fmt::format("{:.2f} m/s at {}", -least->value, station::clock(least->time)));
+        add("fastest_in", "Fastest cable, heaving", -speed_of(*least), "m/s",
+            fmt::format("{} at {}", cable_speed_text(-speed_of(*least)), station::clock(least->time)));
     add("cable_out", "Cable out at the end", side.cable_out, "m",
-        fmt::format("{:.1f} m, {}", side.cable_out, station::in_shackles(side.cable_out)));
+        fmt::format("{:.1f} m, {}", side.cable_out, shackles_text(side.cable_out)));
     if (const auto& most = side.curves[kLining].largest())
         add("lining", "Hottest lining of the brake", most->value, "degC",
             fmt::format("{:.0f} \u00b0C at {}", most->value, station::clock(most->time)));

@@ -8,8 +8,6 @@ namespace windlass::debrief {
 
 namespace {
 
-constexpr double kKilo = 1e-3;
-
 constexpr std::string_view kLoads = "Load on the cable";
 constexpr std::string_view kSpeeds = "Speed of the cable, paying out positive";
 constexpr std::string_view kLengths = "Cable out";
@@ -21,11 +19,13 @@ constexpr std::string_view kSea = "Height of the waves, significant";
 
 using Load = WindlassLoad;
 constexpr std::array<Curve<Load>, 12> kWindlass{
-    {{kLoads, "tension at the hawse pipe lip", "kN", [](const Load& l) { return l.hawse_tension() * kKilo; },
-      true},
-     {kLoads, "pull at the gypsy", "kN", [](const Load& l) { return l.gypsy_load() * kKilo; }},
-     {kLoads, "what the brake could hold", "kN", [](const Load& l) { return l.brake_capacity() * kKilo; }},
-     {kSpeeds, "speed at the gypsy", "m/s", [](const Load& l) { return l.cable_speed(); }, true},
+    {{kLoads, "tension at the hawse pipe lip", "t",
+      [](const Load& l) { return l.hawse_tension() / words::units::tonne; }, true},
+     {kLoads, "pull at the gypsy", "t", [](const Load& l) { return l.gypsy_load() / words::units::tonne; }},
+     {kLoads, "what the brake could hold", "t",
+      [](const Load& l) { return l.brake_capacity() / words::units::tonne; }},
+     {kSpeeds, "speed at the gypsy", "m/min",
+      [](const Load& l) { return l.cable_speed() / words::units::metre_a_minute; }, true},
      {kLengths, "true", "m", [](const Load& l) { return l.cable_out(); }, true},
      {kLengths, "by the counter", "m", [](const Load& l) { return l.cable_out_indicated(); }},
      {kHeat, "lining", "\u00b0C",
@@ -43,7 +43,7 @@ constexpr std::array<Curve<ShipState>, 1> kShipCurves{
 
 using Air = EnvironmentState;
 constexpr std::array<Curve<Air>, 3> kWeather{
-    {{kWindPlot, "mean", "m/s", [](const Air& e) { return e.now().wind_speed(); }},
+    {{kWindPlot, "mean", "kn", [](const Air& e) { return e.now().wind_speed() / words::units::knot; }},
      {kSea, "wind sea", "m", [](const Air& e) { return e.now().wave_height(); }},
      {kSea, "swell", "m", [](const Air& e) { return e.now().swell_height(); }}}};
 

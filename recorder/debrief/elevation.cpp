@@ -3,6 +3,7 @@
 #include "recorder/debrief/html.hpp"
 #include "recorder/debrief/scale.hpp"
 #include "station/format.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -179,13 +180,13 @@ std::string foot(const Frame& frame, const Elevation& plane) {
 } // namespace
 
 TensionLimits tension_limits(const std::vector<SceneAt>& scenes) {
-    double largest = 200e3;
+    double largest = 20; // t
     for (const SceneAt& scene : scenes)
         for (const auto& chain : scene.chains)
             if (chain)
                 for (const float each : chain->tension())
-                    largest = std::max(largest, static_cast<double>(each));
-    const double step = round_step(largest, 4);
+                    largest = std::max(largest, each / words::units::tonne);
+    const double step = round_step(largest, 4) * words::units::tonne;
     return {step, 2 * step, 3 * step};
 }
 
@@ -273,8 +274,9 @@ std::string tension_key(const TensionLimits& limits) {
     std::string svg;
     for (int kind = 0; kind < 4; ++kind) {
         const double x = 8 + 178 * kind;
-        const std::string words = kind < 3 ? "below " + station::load(limits[static_cast<std::size_t>(kind)])
-                                           : station::load(limits.back()) + " or more";
+        const std::string words = kind < 3
+                                      ? "below " + station::tonnes(limits[static_cast<std::size_t>(kind)])
+                                      : station::tonnes(limits.back()) + " or more";
         svg += fmt::format("<path class=\"cable pull{0}\" d=\"M{1:.0f} 10h34\"/><text x=\"{2:.0f}\" "
                            "y=\"14\">{3}</text>",
                            kind, x, x + 40, words);

@@ -9,7 +9,7 @@ namespace windlass::debrief {
 /// Limits between the four classes of tension, N; the same for all pictures of a page.
 using TensionLimits = std::array<double, 3>;
 
-/// Round quarters of the largest tension in the pictures, at least 50, 100 and 150 kN.
+/// Round quarters of the largest tension in the pictures, at least 5, 10 and 15 t.
 TensionLimits tension_limits(const std::vector<SceneAt>& scenes);
 
 /// Class, 0 to 3, of a tension, N.

@@ -48,4 +48,13 @@ LessonText lesson_text(recording::Recording& recording) {
     return exercise;
 }
 
+std::map<std::string, std::string> limited_by(const LessonText& lesson) {
+    std::map<std::string, std::string> all;
+    const json file = json::parse(lesson.json, nullptr, false);
+    if (!lesson.taught || !file.is_object()) return all;
+    for (const json& each : file.at("lesson").value("criteria", json::array()))
+        if (each.is_object()) all.emplace(text_of(each, "id"), text_of(each, "of"));
+    return all;
+}
+
 } // namespace windlass::debrief

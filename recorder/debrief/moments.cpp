@@ -3,6 +3,7 @@
 #include "recorder/debrief/curves.hpp"
 #include "recorder/debrief/judgement.hpp"
 #include "recorder/debrief/said.hpp"
+#include "recorder/debrief/seat_units.hpp"
 #include "station/format.hpp"
 #include "station/line_view.hpp"
 #include "words/words.hpp"
@@ -17,7 +18,7 @@ namespace windlass::debrief {
 namespace {
 
 constexpr std::size_t kMaxMoments = 30;
-constexpr double kRuns = 0.1; // m/s; below, a cable does not run, it is eased
+constexpr double kRuns = 6; // m/min; below, a cable does not run, it is eased
 
 constexpr double kAgain = 60; // s, within which the same event is no new moment
 
@@ -45,7 +46,7 @@ void add_events(const Attempt& attempt, std::vector<Moment>& moments) {
         const bool again = !first && event.time() < known->second + kAgain && event.code() != "fault.active";
         known->second = event.time();
         if (again) continue;
-        std::string what = station::told(event);
+        std::string what = in_seat_units(station::told(event));
         if (event.code() == "fault.active") what += reaction(attempt, event);
         moments.push_back({event.time(), std::move(what), event.side()});
     }
@@ -57,13 +58,14 @@ void add_extremes(const Attempt& attempt, std::vector<Moment>& moments) {
         if (!side.worked) continue;
         const std::string_view of = index == SIDE_PORT ? "port" : "starboard";
         if (const auto& largest = side.curves[kTension].largest())
-            moments.push_back(
-                {largest->time,
-                 fmt::format("{}: largest tension at the lip, {}", of, station::load(largest->value * 1e3)),
-                 index});
+            moments.push_back({largest->time,
+                               fmt::format("{}: largest tension at the lip, {}", of,
+                                           station::tonnes(largest->value * words::units::tonne)),
+                               index});
         if (const auto& fastest = side.curves[kCableSpeed].largest(); fastest && fastest->value > kRuns)
             moments.push_back({fastest->time,
-                               fmt::format("{}: cable runs out fastest, {:.2f} m/s", of, fastest->value),
+                               fmt::format("{}: cable runs out fastest, {}", of,
+                                           cable_speed_text(fastest->value * words::units::metre_a_minute)),
                                index});
     }
 }

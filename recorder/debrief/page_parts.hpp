@@ -31,7 +31,7 @@ std::string origin_part(const PageContext& page);
 /// is asked for.
 std::string plot_figure(const Plot& plot, int level, const std::string& table);
 
-/// "Port: 88 m (3.2 shackles) out, 34 kN (3.5 t) at the lip, leads 11 o'clock, long stay; anchor holding.
+/// "Port: 88 m (3.2 shackles) out, 3.5 t at the lip, leads 11 o'clock, long stay; anchor holding.
 /// Ship 0.4 kn." Of a scene that has ship and that side's cable.
 std::string scene_words(const SceneAt& scene, int side);
 

@@ -4,8 +4,10 @@
 #include "recorder/debrief/html.hpp"
 #include "recorder/debrief/page_parts.hpp"
 #include "recorder/debrief/scenes.hpp"
+#include "recorder/debrief/seat_units.hpp"
 #include "station/format.hpp"
 #include "station/names.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -34,10 +36,11 @@ std::string table_of(const SceneAt& scene, int side) {
                         figure_cell(station::number(chain.nodes()[i].x(), 1)),
                         figure_cell(station::number(chain.nodes()[i].y(), 1)),
                         figure_cell(station::number(chain.nodes()[i].z(), 1)),
-                        figure_cell(i < chain.tension().size() ? station::number(chain.tension()[i] * 1e-3, 0)
-                                                               : std::string())});
+                        figure_cell(i < chain.tension().size()
+                                        ? station::number(chain.tension()[i] / words::units::tonne, 1)
+                                        : std::string())});
     return table("Cable from the lip to the anchor",
-                 {"node", "east, m", "north, m", "over the water, m", "kN"}, rows);
+                 {"node", "east, m", "north, m", "over the water, m", "t"}, rows);
 }
 
 /// "2 0:22 anchor let go; not pictured, soon after: 3 0:25 anchor on the bottom": it is drawn at the first.
@@ -67,11 +70,10 @@ std::string picture(const PageContext& page, const PicturedMoments& moments, std
 std::string scene_words(const SceneAt& scene, int side) {
     const ChainState& chain = *scene.chains[static_cast<std::size_t>(side)];
     const auto& anchor = scene.anchors[static_cast<std::size_t>(side)];
-    std::string text =
-        fmt::format("{}: {} ({}) out", side == SIDE_PORT ? "Port" : "Starboard",
-                    station::cable(chain.cable_out()), station::in_shackles(chain.cable_out()));
+    std::string text = fmt::format("{}: {} ({}) out", side == SIDE_PORT ? "Port" : "Starboard",
+                                   station::cable(chain.cable_out()), shackles_text(chain.cable_out()));
     if (!chain.tension().empty())
-        text += fmt::format(", {} at the lip", station::load(chain.tension().front()));
+        text += fmt::format(", {} at the lip", station::tonnes(chain.tension().front()));
     text +=
         chain.stay() == STAY_UP_AND_DOWN
             ? ", up and down"

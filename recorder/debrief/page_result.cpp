@@ -5,8 +5,10 @@
 #include "recorder/debrief/compare.hpp"
 #include "recorder/debrief/html.hpp"
 #include "recorder/debrief/judgement.hpp"
+#include "recorder/debrief/lesson_text.hpp"
 #include "recorder/debrief/page_parts.hpp"
 #include "recorder/debrief/scale.hpp"
+#include "recorder/debrief/seat_units.hpp"
 #include "recorder/debrief/wall_time.hpp"
 #include "station/format.hpp"
 #include "station/names.hpp"
@@ -83,7 +85,7 @@ std::string objectives(const Attempt& attempt) {
 std::string remedy(const PageContext& page, const std::string& criterion) {
     for (const Remedy& each : *page.options.remedies) {
         if (each.criterion != criterion) continue;
-        std::string html = escaped(each.words);
+        std::string html = escaped(in_seat_units(each.words));
         if (each.time)
             html += fmt::format(" Do it again from {}.",
                                 time_link(page, std::max(page.attempt.began, *each.time - kAgainBefore)));
@@ -119,6 +121,11 @@ std::string reckoning(const PageContext& page, const Judgement& judgement) {
     return text + "</p>\n";
 }
 
+/// As people read it: the judge tells it in SI.
+std::string reason_of(const Criterion& criterion) {
+    return in_seat_units(criterion.reason().to_string());
+}
+
 /// A reason without what it cost: the column beside it has that in points of 100.
 std::string without_weights(const std::string& reason) {
     static const std::regex kCost(
@@ -133,8 +140,8 @@ std::string deductions(const PageContext& page, const Judgement& judgement) {
     for (const Mark& mark : judgement.deductions()) {
         rows.push_back({html_cell(mark.time > 0 ? time_link(page, mark.time) : ""),
                         text_cell(title_of(*mark.criterion)),
-                        figure_cell(fmt::format("{:.1f} of {:.1f}", mark.lost, mark.points)),
-                        text_cell(without_weights(mark.criterion->reason().to_string()))});
+                        figure_cell(share_text(mark.lost) + " of " + share_text(mark.points)),
+                        text_cell(without_weights(reason_of(*mark.criterion)))});
         if (page.options.remedies)
             rows.back().push_back(html_cell(remedy(page, mark.criterion->code().to_string())));
     }
@@ -251,7 +258,7 @@ std::string courses(const PageContext& page, const Judgement& judgement) {
 std::string strengths(const Judgement& judgement) {
     std::string items;
     for (const Mark& mark : judgement.strongest(3)) {
-        const std::string reason = mark.criterion->reason().to_string();
+        const std::string reason = reason_of(*mark.criterion);
         items += fmt::format("<li>{}{}</li>\n", escaped(name_of(*mark.criterion)),
                              reason.empty() ? "" : escaped(": " + reason));
     }
@@ -283,19 +290,22 @@ std::string way_to_moments(const PageContext& page) {
 
 std::string criteria(const Attempt& attempt, const Judgement& judgement) {
     std::vector<std::vector<Cell>> rows;
+    const auto limited = limited_by(attempt.lesson);
     for (const Mark& mark : judgement.marks) {
         const Criterion& criterion = *mark.criterion;
+        const auto its = limited.find(criterion.code().to_string());
+        const std::string of = its == limited.end() ? "" : its->second;
         const bool limit = criterion.kind() == CRITERION_LIMIT;
         const bool looked_at = limit && was_looked_at(criterion);
         const std::string unit = criterion.unit().to_string();
         rows.push_back({text_cell(title_of(criterion) + (criterion.must() ? " (must)" : "") +
                                   (was_hinted(attempt, criterion) ? " (hinted)" : "")),
                         text_cell(station::words(criterion.kind())),
-                        figure_cell(limit ? figure_text(criterion.limit(), unit) : ""),
-                        figure_cell(looked_at ? figure_text(criterion.worst(), unit) : ""),
+                        figure_cell(limit ? limited_text(criterion.limit(), unit, of) : ""),
+                        figure_cell(looked_at ? limited_text(criterion.worst(), unit, of) : ""),
                         figure_cell(looked_at ? fmt::format("{:.1f}", criterion.time_outside()) : ""),
-                        figure_cell(criterion.counts() ? fmt::format("{:.1f} of {:.1f}",
-                                                                     mark.points - mark.lost, mark.points)
+                        figure_cell(criterion.counts() ? share_text(mark.points - mark.lost) + " of " +
+                                                             share_text(mark.points)
                                                        : ""),
                         figure_cell(criterion.counts() ? fmt::format("{} %", criterion.counted() / 10) : ""),
                         text_cell(station::words(criterion.state(), criterion.kind()))});

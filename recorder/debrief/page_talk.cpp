@@ -3,6 +3,7 @@
 #include "recorder/debrief/html.hpp"
 #include "recorder/debrief/page_parts.hpp"
 #include "recorder/debrief/said.hpp"
+#include "recorder/debrief/seat_units.hpp"
 #include "recorder/debrief/wall_time.hpp"
 #include "station/format.hpp"
 #include "station/line_view.hpp"
@@ -83,7 +84,7 @@ std::string events_part(const PageContext& page) {
     std::vector<std::vector<Cell>> rows;
     for (const Event& event : page.attempt.events)
         rows.push_back({{time_link(page, event.time()), false},
-                        text_cell(station::told(event)),
+                        text_cell(in_seat_units(station::told(event))),
                         {fmt::format("<code>{}</code>", escaped(event.code().to_string())), false}});
     html += rows.empty() ? "<p>There were none.</p>\n"
                          : table("What happened, as the server told it", {"time", "what", "code"}, rows);
@@ -112,7 +113,7 @@ std::string ahead_part(const PageContext& page) {
         rows.push_back({{time_link(page, each.told), false},
                         {time_link(page, each.last_told), false},
                         text_cell(station::clock(each.event.time())),
-                        text_cell(station::told(each.event))});
+                        text_cell(in_seat_units(station::told(each.event)))});
     html += rows.empty()
                 ? "<p>They told of no event.</p>\n"
                 : table("Events that they told of", {"told first", "told last", "for", "what"}, rows);

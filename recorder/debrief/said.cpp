@@ -1,5 +1,7 @@
 #include "recorder/debrief/said.hpp"
 
+#include "common/figure_text.hpp"
+#include "recorder/debrief/seat_units.hpp"
 #include "station/format.hpp"
 #include "station/names.hpp"
 #include "words/words.hpp"
@@ -22,7 +24,7 @@ void tell_judged(const Attempt& attempt, const SaidReport& said, ReportSaid& row
         const bool of_it = judged.tick() == said.tick && judged.code() == said.report.code() &&
                            (said.report.side() < 0 || said.report.side() == judged.side());
         if (!of_it) continue;
-        row.truth += (row.truth.empty() ? "" : "; ") + judged.text().to_string();
+        row.truth += (row.truth.empty() ? "" : "; ") + in_seat_units(judged.text().to_string());
         row.milli = std::min(row.milli.value_or(judged.milli()), judged.milli());
         if (judged.timed()) row.delay = judged.delay();
         if (judged.figure()) row.true_value = judged.truth();
@@ -59,12 +61,31 @@ std::string tackle_words(ReportCode code, const Truth& truth) {
     case REPORT_NO_POWER:
         return truth.power ? "motor had power" : "motor had none";
     case REPORT_DOES_NOT_RUN:
-        return "cable " + station::cable_speed(truth.cable_speed);
+        return "cable " + cable_speed_text(truth.cable_speed);
     case REPORT_BRAKE_DOES_NOT_HOLD:
-        return fmt::format("brake bore {}, of {} that it could", station::load(truth.brake_load),
-                           station::load(truth.brake_capacity));
+        return fmt::format("brake bore {}, of {} that it could", station::tonnes(truth.brake_load),
+                           station::tonnes(truth.brake_capacity));
     default:
         return "";
+    }
+}
+
+/// Shackles from where the report counts them, as the judge tells them; of a mark in the water from the lip:
+/// how high that is over the water is not kept.
+template <class Add>
+void add_shackles(words::MarkAt at, double cable_out, const Add& add) {
+    const auto from = [&](double inboard, const char* where) {
+        add(shackles_figure((cable_out + inboard) / words::units::shackle) + ' ' + where + " were so");
+    };
+    switch (at) {
+    case words::MarkAt::deck:
+        return from(words::limits::mark_on_deck, "on deck");
+    case words::MarkAt::pipe:
+        return from(words::limits::mark_in_pipe, "in the pipe");
+    case words::MarkAt::water:
+        return add(shackles_text(cable_out) + " from the lip were so");
+    case words::MarkAt::none:
+        return;
     }
 }
 
@@ -76,15 +97,12 @@ void tell_tackle(const Attempt& attempt, const SaidReport& said, ReportSaid& row
     if (truth == nullptr) return;
     row.truth = tackle_words(report.code(), *truth);
     const auto add = [&](const std::string& text) { row.truth += (row.truth.empty() ? "" : ", ") + text; };
-    const bool counts_shackles = report.code() < words::kReportCode.size() &&
-                                 words::kReportCode[report.code()].mark_at != words::MarkAt::none;
-    if (counts_shackles)
-        add(fmt::format("{:.1f} m ({}) outboard of the lip", truth->cable_out,
-                        station::in_shackles(truth->cable_out)));
+    if (report.code() < words::kReportCode.size())
+        add_shackles(words::kReportCode[report.code()].mark_at, truth->cable_out, add);
     if (report.lead() != 0) add("lead " + station::lead(truth->lead_clock));
     if (report.stay() != STAY_NOT_GIVEN) add(station::words(truth->stay));
     if (report.growing() != GROWING_NOT_GIVEN || report.weight() != WEIGHT_NOT_GIVEN)
-        add(station::load(truth->tension) + " at the lip");
+        add(station::tonnes(truth->tension) + " at the lip");
 }
 
 bool repeats(const SaidReport& said, int number) {

@@ -1,5 +1,6 @@
 #include "recorder/debrief/side_by_side.hpp"
 
+#include "common/figure_text.hpp"
 #include "recorder/debrief/compare.hpp"
 #include "recorder/debrief/curves.hpp"
 #include "recorder/debrief/html.hpp"
@@ -7,6 +8,7 @@
 #include "recorder/debrief/page_parts.hpp"
 #include "recorder/debrief/said.hpp"
 #include "recorder/debrief/scale.hpp"
+#include "recorder/debrief/seat_units.hpp"
 #include "station/format.hpp"
 #include "station/names.hpp"
 #include "words/words.hpp"
@@ -66,19 +68,18 @@ std::string section(std::string_view id, std::string_view title, const std::stri
                        escaped(title), body);
 }
 
-/// In the unit in which it is told: "343" of kN.
+/// In the unit in which it is told: "35" of t.
 std::string told(const Figure& figure) {
     if (figure.unit == "s") return station::clock(figure.value);
-    if (figure.unit == "N") return fmt::format("{:.0f}", figure.value / 1e3);
-    return fmt::format("{:.{}f}", figure.value, figure.unit == "m/s" ? 2 : figure.unit == "degC" ? 0 : 1);
+    const SeatUnit unit = seat_unit(figure.unit, "cable_speed"); // no other speed is told
+    if (unit.name != figure.unit) return limited_figure(figure.value, figure.unit, "cable_speed");
+    return fmt::format("{:.{}f}", figure.value, figure.unit == "degC" ? 0 : 1);
 }
 
 std::string heading(const Figure& figure) {
-    const std::string unit = figure.unit == "N"      ? ", kN"
-                             : figure.unit == "degC" ? ", \u00b0C"
-                             : figure.unit == "s"    ? ""
-                                                     : ", " + figure.unit;
-    return figure.name + unit;
+    if (figure.unit == "s") return figure.name;
+    return figure.name + ", " +
+           (figure.unit == "degC" ? "\u00b0C" : seat_unit(figure.unit, "cable_speed").name);
 }
 
 std::string results_part(const Class& of) {
@@ -148,7 +149,7 @@ bool in_part(const Mark& mark) {
 
 Cell mark_cell(const Mark* mark) {
     if (!in_play(mark)) return figure_cell("-");
-    const std::string points = fmt::format("{:.1f}", mark->points - mark->lost);
+    const std::string points = share_text(mark->points - mark->lost);
     return figure_cell(whole(*mark) ? points : fmt::format("{} at {}", points, station::clock(mark->time)));
 }
 
@@ -192,7 +193,7 @@ std::string criteria_part(const Class& of) {
             text_cell(title_of(*each.criterion) + (each.criterion->must() ? " (must)" : ""))};
         for (const Mark* mark : each.marks)
             row.push_back(mark_cell(mark));
-        row.push_back(figure_cell(each.playing() == 0 ? "" : fmt::format("{:.1f}", each.lost_in_the_mean())));
+        row.push_back(figure_cell(each.playing() == 0 ? "" : share_text(each.lost_in_the_mean())));
         row.push_back(spread_cell(each));
         rows.push_back(std::move(row));
     }

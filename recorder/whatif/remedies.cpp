@@ -2,6 +2,7 @@
 
 #include "lesson/whatif/two_courses.hpp"
 #include "lesson/whatif/words.hpp"
+#include "recorder/debrief/seat_units.hpp"
 #include "recorder/whatif/recorded_attempt.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/dds/convert.hpp"
@@ -26,21 +27,11 @@ std::optional<double> time_of(const whatif::Trials& trials, const whatif::Answer
     return std::nullopt;
 }
 
-/// A factor and an offset from SI to what a seaman reads.
-struct Shown {
-    const char *si, *unit;
-    double factor, offset;
-};
-constexpr std::array<Shown, 4> kShown{{{"N", "kN", 1e-3, 0},
-                                       {"N/s", "kN/s", 1e-3, 0},
-                                       {"K", "\u00b0C", 1, -words::limits::ice_point},
-                                       {"yes", "1: yes", 1, 0}}};
-
 debrief::TwoCourses shown(const whatif::TwoCurves& curves) {
     const assess::Quantity& quantity = assess::quantities()[static_cast<std::size_t>(curves.quantity)];
-    Shown as{"", quantity.unit, 1, 0};
-    for (const Shown& row : kShown)
-        if (std::string_view(row.si) == quantity.unit) as = row;
+    const std::string unit = quantity.unit;
+    const debrief::SeatUnit as =
+        unit == "yes" ? debrief::SeatUnit{"1: yes"} : debrief::seat_unit(unit, quantity.name);
     const auto value = [&](double si) { return si * as.factor + as.offset; };
     const auto samples = [&](const std::vector<whatif::Point>& points) {
         std::vector<debrief::Sample> all;
@@ -50,7 +41,7 @@ debrief::TwoCourses shown(const whatif::TwoCurves& curves) {
     };
     const auto limit = [&](double si) { return std::isfinite(si) ? std::optional(value(si)) : std::nullopt; };
     return {.title = quantity.text,
-            .unit = as.unit,
+            .unit = as.name,
             .was = samples(curves.was),
             .would = samples(curves.would),
             .least = limit(curves.least),

@@ -15,7 +15,9 @@
 #include "recorder/debrief/said.hpp"
 #include "recorder/debrief/scale.hpp"
 #include "recorder/debrief/scenes.hpp"
+#include "recorder/debrief/seat_units.hpp"
 #include "recorder/recording/sha256.hpp"
+#include "words/words.hpp"
 
 #include "tests/recorder/debriefed.hpp"
 #include "tests/recorder/folder.hpp"
@@ -77,11 +79,11 @@ TEST(DebriefTest, LargestTensionOnThePageIsTheLargestOfTheRecording) {
     ASSERT_NE(found, figures.end());
     EXPECT_DOUBLE_EQ(found->value, largest);
     EXPECT_DOUBLE_EQ(attempt.sides[0].curves[kTension].largest()->time, at);
-    EXPECT_THAT(page_of(attempt, {}), HasSubstr("735 kN (75 t) at 0:31"));
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("75 t at 0:31"));
     // And the line that is drawn goes up to it, though it is of one sample in hundreds.
     const auto drawn = attempt.sides[0].curves[kTension].samples();
     EXPECT_LT(drawn.size(), 1500U);
-    EXPECT_DOUBLE_EQ(std::ranges::max(drawn, {}, &Sample::value).value * 1e3, largest);
+    EXPECT_DOUBLE_EQ(std::ranges::max(drawn, {}, &Sample::value).value * words::units::tonne, largest);
 }
 
 TEST(DebriefTest, PageNeedsNothingBesideItself) {
@@ -151,7 +153,7 @@ TEST(DebriefTest, PointsLostAreTheShareOfTheCriteriaInPlay) {
     EXPECT_THAT(page, HasSubstr("66.0 of 100 points, not yet"));
     EXPECT_THAT(page, HasSubstr("24.0 of 30.0"));
     EXPECT_THAT(page, HasSubstr("6.0 of 30.0")) << "among all criteria what it earned, in the same points";
-    EXPECT_THAT(page, HasSubstr("0:41 port cable 6.9 m/s, 5.5 allowed"));
+    EXPECT_THAT(page, HasSubstr("0:41 port cable 414 m/min, 5.5 allowed"));
     ASSERT_THAT(judgement.strongest(3), SizeIs(1));
     EXPECT_EQ(judgement.strongest(3)[0].criterion->code(), "clutch");
 }
@@ -582,7 +584,7 @@ TEST(DebriefTest, ReportThatNobodyJudgesHasTheCableBesideItAndNoVerdict) {
     const auto reports = reports_said(attempt_of(folder, {.assessed = false}));
     ASSERT_THAT(reports, SizeIs(2));
     EXPECT_EQ(reports[0].truth, "anchor on the bottom");
-    EXPECT_EQ(reports[1].truth, "59.8 m (2.2 shackles) outboard of the lip"); // 5 m and 27.4 s of 2 m/s
+    EXPECT_EQ(reports[1].truth, "2.17 shackles from the lip were so"); // 5 m and 27.4 s of 2 m/s
     EXPECT_FALSE(reports[1].true_value || reports[1].milli || reports[1].delay);
 }
 
@@ -813,6 +815,24 @@ TEST(DebriefTest, QuestionOfBeforeTheMomentThatAnAttemptGoesOnFromIsToldByWhatTh
     EXPECT_NEAR(orders_said(attempt)[0].answered.value_or(0), 37.5, 1e-9);
 }
 
+// As the seats had them: a briefing of 330 m/min is not talked over in m/s.
+TEST(DebriefTest, SentencesOfTheJudgeAreReadInTheUnitsOfTheSeats) {
+    EXPECT_EQ(
+        in_seat_units(
+            "0:16 cable's speed 5.23 m/s, at most 5.5 m/s; cable's speed above 7.5 m/s leaves nothing"),
+        "0:16 cable's speed 314 m/min, at most 330 m/min; cable's speed above 450 m/min leaves nothing");
+    EXPECT_EQ(in_seat_units("wind north 8 m/s, stream 0.3 m/s; cable between 2 and 4 m/s"),
+              "wind north 16 kn, stream 0.6 kn; cable between 120 and 240 m/min");
+    EXPECT_EQ(in_seat_units("2.5 m/s ahead. At 3 m/s it is fast."), "4.9 kn ahead. At 3 m/s it is fast.");
+    EXPECT_EQ(in_seat_units("cable's speed -0.122 m/s, at least -0.12 m/s"),
+              "cable's speed -7.3 m/min, at least -7.2 m/min");
+    EXPECT_EQ(in_seat_units("from 20 to 80 kN, not 240 kN/m"), "from 2.0 to 8.2 t, not 240 kN/m");
+    EXPECT_EQ(limited_text(5.5, "m/s", "cable_speed"), "330 m/min");
+    EXPECT_EQ(limited_text(1.2, "m/s", "ship_speed"), "2.3 kn");
+    EXPECT_EQ(limited_text(1.2, "m/s", ""), "1.2 m/s") << "nobody knows whose";
+    EXPECT_EQ(limited_text(289e3, "N", "tension"), "29 t");
+}
+
 TEST(DebriefTest, FiguresAreThoseOfTheTrade) {
     EXPECT_EQ(figure_text(-0.1028, "shackles"), "-0.1 shackles");
     EXPECT_EQ(figure_text(-0.001, "shackles"), "0 shackles");
@@ -896,8 +916,8 @@ TEST(DebriefTest, OneRunIsNotMixedWithAnother) {
     tape.close({});
     const Attempt last = read(folder / "two"), first = read(folder / "two", 1);
     EXPECT_EQ(last.origin.run, 8U);
-    EXPECT_NEAR(last.sides[0].curves[kTension].largest()->value, 500, 1e-9);
-    EXPECT_NEAR(first.sides[0].curves[kTension].largest()->value, 900, 1e-9);
+    EXPECT_NEAR(last.sides[0].curves[kTension].largest()->value * words::units::tonne, 500e3, 1e-6);
+    EXPECT_NEAR(first.sides[0].curves[kTension].largest()->value * words::units::tonne, 900e3, 1e-6);
     EXPECT_NE(attempt_id(last), attempt_id(first));
     EXPECT_NEAR(last.position_of(30), 91, 0.01);
     EXPECT_THROW(read(folder / "two", 3), std::runtime_error);

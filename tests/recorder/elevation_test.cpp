@@ -5,6 +5,7 @@
 #include "recorder/debrief/page.hpp"
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/debrief/scenes.hpp"
+#include "words/words.hpp"
 
 #include "tests/recorder/debriefed.hpp"
 #include "tests/recorder/folder.hpp"
@@ -17,12 +18,14 @@
 namespace windlass::debrief {
 namespace {
 
+using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
 
 constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kTonne = words::units::tonne;
 constexpr double kTenth = 0.05; // px: coordinates are written to a tenth of one
 
 Point3f point(double x, double y, double z) {
@@ -104,8 +107,12 @@ TEST(Elevation, ShowsTheTensionOfEachLinkByAClassOfItsOwn) {
     EXPECT_NEAR(length, 1.5 * (cable.at(1).first - cable.at(0).first), 2 * kTenth) << "three links, and two";
     for (const char* kind : {"pull0", "pull1"})
         EXPECT_THAT(svg, HasSubstr(kind));
-    EXPECT_THAT(tension_limits({of}), ElementsAre(50e3, 100e3, 150e3)) << "round quarters of 120 kN";
-    EXPECT_THAT(tension_limits({}), ElementsAre(50e3, 100e3, 150e3)) << "never finer than that";
+    EXPECT_THAT(tension_limits({of}),
+                ElementsAre(DoubleEq(5 * kTonne), DoubleEq(10 * kTonne), DoubleEq(15 * kTonne)))
+        << "round quarters of 20 t";
+    EXPECT_THAT(tension_limits({}),
+                ElementsAre(DoubleEq(5 * kTonne), DoubleEq(10 * kTonne), DoubleEq(15 * kTonne)))
+        << "never finer than that";
 }
 
 TEST(Elevation, DrawsHerPlatingWhereSheIs) {
