@@ -81,9 +81,9 @@ std::vector<std::string> why_halved(const Attempt& attempt) {
     const auto missed = [](const Criterion& one) { return one.must() && one.counts() && !one.met(); };
     const auto never_came = [](const Criterion& one) { return one.state() == CRITERION_NOT_IN_PLAY; };
     if (std::ranges::any_of(criteria, [&](const Criterion& one) { return missed(one) && !never_came(one); }))
-        all.emplace_back("a must was missed");
+        all.emplace_back("a criterion marked (must) was missed");
     if (std::ranges::any_of(criteria, [&](const Criterion& one) { return one.must() && never_came(one); }))
-        all.emplace_back("a must was not shown");
+        all.emplace_back("a criterion marked (must) was not come to");
     if (std::ranges::any_of(attempt.assessment->objectives(), [](const ObjectiveMark& one) {
             return one.outcome() == "not_yet" &&
                    one.score() < std::min<double>(one.pass(), words::limits::objective_fails);

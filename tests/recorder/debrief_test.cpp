@@ -249,8 +249,8 @@ TEST(DebriefTest, WhatHalvedThePointsIsTold) {
     marks.objectives({test::objective("ready", "achieved", 100), test::objective("run", "not_yet", 49.9)});
     marks.abort("the bridge heard nothing");
     EXPECT_THAT(page_of(attempt, {}),
-                HasSubstr("Halved, since a must was missed, a must was not shown, an objective has less than "
-                          "half of its points and the bridge heard nothing: 32.6."));
+                HasSubstr("Halved, since a criterion marked (must) was missed, a criterion marked (must) was "
+                          "not come to, an objective has less than half of its points and the bridge heard nothing: 32.6."));
 }
 
 TEST(DebriefTest, PointsThatHaveNotPassedDoNotReadAsIfTheyHad) {

@@ -3,9 +3,10 @@
 // so before it was here, it has from a recording that was being made, else from the lesson's judge, of the reports that
 // he holds against the truth.
 
+import { limits } from "../../../../words/words.json";
 import { begins } from "../kit/branch";
 import { inChosenUnits } from "../kit/figures_in_text";
-import { cableSpeeds, celsius, figure, loads, shackles } from "../kit/units";
+import { cableSpeeds, celsius, clockHour, figure, loads, shacklesFigure } from "../kit/units";
 import { besideSide, eventLine, reportText, saidOf, spoken } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import {
@@ -49,7 +50,7 @@ class Course<T extends { side: number; time: number }> {
 export interface ReportLine {
   readonly event: Logged;
   readonly words: string;
-  /** "was 3.2 out", or what the judge says; empty where it can be neither right nor wrong, or is not known. */
+  /** "was 3.2 in the pipe", or what the judge says; empty where it can be neither right nor wrong, or is not known. */
   was: string;
 }
 
@@ -187,14 +188,19 @@ function truthOf(report: Report, { load, anchor, chain }: Then): string {
   if (!load || !anchor) return "";
   switch (report.code) {
     case ReportCode.REPORT_SHACKLES_ON_DECK:
-    case ReportCode.REPORT_SHACKLES_IN_WATER:
+      return t("was {shackles} on deck", { shackles: shacklesFigure(load.cable_out + limits.mark_on_deck.value) });
     case ReportCode.REPORT_SHACKLES_IN_PIPE:
-      return t("was {shackles} outboard of the lip", { shackles: figure(shackles(load.cable_out), 1) });
+      return t("was {shackles} in the pipe", { shackles: shacklesFigure(load.cable_out + limits.mark_in_pipe.value) });
+    case ReportCode.REPORT_SHACKLES_IN_WATER: {
+      const lip = chain?.nodes[2]; // m over the water: the nodes are x, y, z from the lip on
+      if (lip === undefined) return t("was {shackles} from the lip", { shackles: shacklesFigure(load.cable_out) });
+      return t("was {shackles} in the water", { shackles: shacklesFigure(load.cable_out - lip) });
+    }
     case ReportCode.REPORT_LEAD:
     case ReportCode.REPORT_SHORT_STAY:
     case ReportCode.REPORT_UP_AND_DOWN:
       if (!chain) return "";
-      return t("was {hour} o'clock, {stay}", { hour: figure(chain.lead_clock, 1), stay: saidOf("Stay", chain.stay) });
+      return t("was {hour} o'clock, {stay}", { hour: clockHour(chain.lead_clock), stay: saidOf("Stay", chain.stay) });
     case ReportCode.REPORT_GROWING:
     case ReportCode.REPORT_WEIGHT:
       return t("was {what}", { what: loads.text(load.hawse_tension) });
@@ -231,6 +237,6 @@ function truthOf(report: Report, { load, anchor, chain }: Then): string {
 /** What was so of that side at large: a replay has the words of a report, but not the Report. */
 function atLarge({ load, anchor }: Then): string {
   if (!load || !anchor) return "";
-  const out = figure(shackles(load.cable_out), 1);
-  return t("was {shackles} out, {phase}", { shackles: out, phase: saidOf("AnchorPhase", anchor.phase) });
+  const out = shacklesFigure(load.cable_out);
+  return t("was {shackles} from the lip, {phase}", { shackles: out, phase: saidOf("AnchorPhase", anchor.phase) });
 }

@@ -10,11 +10,13 @@ import {
   type Measure,
   cableSpeeds,
   celsius,
+  clockHour,
   degrees,
   figure,
   loads,
   measures,
   shackles,
+  shacklesFigure,
   sideWord,
   unitWritten,
 } from "../kit/units";
@@ -65,7 +67,7 @@ export const truthRows: readonly Row[] = [
     label: "",
     unit: t("shackles|a unit"),
     shown: (l, s) => figure(shackles(load(l, s)?.cable_out_indicated ?? NaN), 1),
-    is: (l, s) => figure(shackles(load(l, s)?.cable_out ?? NaN), 1),
+    is: (l, s) => shacklesFigure(load(l, s)?.cable_out ?? NaN),
   },
   {
     label: t("cable speed|a row"),
@@ -154,7 +156,7 @@ export const truthRows: readonly Row[] = [
     unit: "\u00b0",
     is: (l, s) => (onBottom(l, s) ? figure(degrees(anchor(l, s)?.uplift ?? NaN), 1) : "\u2013"),
   },
-  { label: t("leads"), unit: t("o'clock"), is: (l, s) => figure(chain(l, s)?.lead_clock ?? NaN, 1) },
+  { label: t("leads"), unit: t("o'clock"), is: (l, s) => clockHour(chain(l, s)?.lead_clock ?? NaN) },
   {
     label: t("stay"),
     projected: true,

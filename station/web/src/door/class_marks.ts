@@ -40,24 +40,24 @@ const notJudged = ({ bridge_judged }: TrainingClass): string =>
 const kLook = 2000; // ms
 
 /**
- * From where a class goes on, and why: 'ten seconds before "fall" went wrong, at 0:33'. Behind it what stands then:
- * "had gone wrong by then, and stands as it was: orders".
+ * From where a class goes on, and why: '10 s before "fall" went wrong, at 0:33'. Behind it what stands then:
+ * "already lost by then: orders".
  */
 export function whyFrom({ before, lost, lost_at, standing }: From): string {
   const why = whyBefore(before, { lost, at: clock(lost_at) });
   if (standing.length === 0) return why;
-  return `${why}; ${t("had gone wrong by then, and stands as it was: {standing}", { standing: standing.join(", ") })}`;
+  return `${why}; ${t("already lost by then: {standing}", { standing: standing.join(", ") })}`;
 }
 function whyBefore(before: From["before"], its: { lost: string; at: string }): string {
   switch (before) {
     case "levers":
-      return t('ten seconds before the last move of the levers that came before "{lost}" went wrong, at {at}', its);
+      return t('10 s before the levers were moved and "{lost}" went wrong, at {at}', its);
     case "order":
-      return t('ten seconds before the last order that came before "{lost}" went wrong, at {at}', its);
+      return t('10 s before the order after which "{lost}" went wrong, at {at}', its);
     case "due":
-      return t('ten seconds before it was time for "{lost}", which went wrong at {at}', its);
+      return t('10 s before it was time for "{lost}", which went wrong at {at}', its);
     case "loss":
-      return t('ten seconds before "{lost}" went wrong, at {at}', its);
+      return t('10 s before "{lost}" went wrong, at {at}', its);
   }
 }
 

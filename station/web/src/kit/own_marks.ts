@@ -87,8 +87,8 @@ export function whyHalved({
   // All that the server says where the bridge gave up begins so.
   const gaveUp = ending === LessonEnding.LESSON_TIME_UP && abort.startsWith("the bridge ");
   return [
-    musts.some((one) => one.counts && !one.met && !neverCame(one)) && t("a must was missed"),
-    musts.some(neverCame) && t("a must was not shown"),
+    musts.some((one) => one.counts && !one.met && !neverCame(one)) && t("a criterion marked (must) was missed"),
+    musts.some(neverCame) && t("a criterion marked (must) was not come to"),
     objectives.some((one) => one.outcome === "not_yet" && failsLesson(one)) &&
       t("an objective has less than half of its points"),
     gaveUp && endingSaid(abort),
@@ -376,7 +376,7 @@ function reckoning(assessment: Assessment): HTMLElement | false {
     kept.length > 0 &&
       toWorkOn(assessment.criteria).length > 0 &&
       t("What was kept counts in the measure in which the rest was done, and the points in play make up 100."),
-    why.length > 0 && t("The whole is halved, once: {why}.", { why: why.join("; ") }),
+    why.length > 0 && t("Points are halved, since {why}.", { why: why.join("; ") }),
   ].filter((rule) => rule !== false);
   return rules.length > 0 && h("p", { class: "quiet" }, rules.join(" "));
 }

@@ -55,9 +55,15 @@ function worth(weight: number, { criteria, finished }: Judged): number {
   return whole > 0 ? (100 * weight) / whole : 0;
 }
 
+/**
+ * "6.3" of 6.25: the part that one criterion has of the 100 decides nothing, and is rounded to the nearest tenth, a half
+ * up (share_text of common/figure_text.hpp is the same).
+ */
+const shareFigure = (points: number): string => pointsFigure(points + 0.05);
+
 /** Points of 100 that a criterion has with such a mark, 0..1000: "5.0". */
 export const earnedSaid = ({ weight }: Criterion, milli: number, of: Judged): string =>
-  figure(worth((weight * milli) / 1000, of), 1);
+  shareFigure(worth((weight * milli) / 1000, of));
 
 /** The same, of what it can have: "5.0 of 10.9". */
 export const shareSaid = (criterion: Criterion, milli: number, of: Judged): string =>
@@ -79,5 +85,5 @@ export function pointsSaid(points: number, lost: number, outcome: string): strin
   const all = pointsFigure(points);
   return outcome
     ? t("{points} of 100 points, {outcome}", { points: all, outcome })
-    : t("{points} of 100 points, {lost} lost so far", { points: all, lost: figure(lost, 1) });
+    : t("{points} of 100 points, {lost} lost so far", { points: all, lost: shareFigure(lost) });
 }

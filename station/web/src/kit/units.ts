@@ -55,6 +55,19 @@ export function figure(value: number, decimals = 0): string {
   return writtenFigure((Number(text) === 0 ? text.replace("-", "") : text).replace("-", "\u2212"));
 }
 
+/** m of cable in shackles, to two decimals at most, as the judge tells them (shackles_figure of common/): "6.97", "4". */
+export function shacklesFigure(length: number): string {
+  const hundredths = Number(shackles(length).toFixed(2));
+  const decimals = [0, 1].find((most) => Number(hundredths.toFixed(most)) === hundredths);
+  return figure(hundredths, decimals ?? 2);
+}
+
+/** An hour of the clock to which a cable leads, 12 ahead, in halves: nobody makes out more. */
+export function clockHour(hours: number): string {
+  const half = (Math.round(2 * hours) / 2 + 12) % 12;
+  return figure(half < 1 ? half + 12 : half, half % 1 === 0 ? 0 : 1);
+}
+
 /** As orders and reports name it, in English. */
 export const sideName = (side: number): string => (side === 0 ? "port" : side === 1 ? "starboard" : "both");
 

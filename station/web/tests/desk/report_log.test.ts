@@ -33,8 +33,9 @@ function desk() {
     tell("Event", { number: ++number, tick: 10 * time, time, code, side, text, severity: EventSeverity.EVENT_INFO });
   return {
     event,
-    /** Truth of the port side: shackles out, and of the anchor. */
-    stands: (time: number, out: number, phase = AnchorPhase.ANCHOR_ON_BOTTOM) => {
+    /** Truth of the port side: shackles out, of the anchor, and the lip's height, m. */
+    stands: (time: number, out: number, phase = AnchorPhase.ANCHOR_ON_BOTTOM, lip = 0) => {
+      tracks.set("ChainState/0", [...track("ChainState", 0), { sample: { time, nodes: [0, 0, lip] } }]);
       tracks.set("WindlassLoad/0", [...track("WindlassLoad", 0), { sample: { time, cable_out: out * kShackle } }]);
       tracks.set("AnchorState/0", [...track("AnchorState", 0), { sample: { time, phase } }]);
     },
@@ -62,7 +63,7 @@ function desk() {
 const { REPORT_LET_GO: letGo, REPORT_SHACKLES_IN_PIPE: inPipe } = ReportCode;
 
 test("a report stands once, at the time of its event, beside the truth of that moment, whichever comes first", () => {
-  const both = [{ time: 195, words: "port: 2 shackles in the pipe", was: "was 4.1 outboard of the lip" }];
+  const both = [{ time: 195, words: "port: 2 shackles in the pipe", was: "was 4.15 in the pipe" }];
   const early = desk();
   early.stands(195, 4.1);
   early.says(inPipe, 2);
@@ -98,9 +99,9 @@ test("a desk that is opened late has what was so from the lesson's judge, whiche
   late.logs(53, inPipe, 2);
   late.logs(131, inPipe, 2);
   const was = (): string[] => late.lines().map((line) => line.was);
-  assert.deepEqual(was(), ["2 s after it was so, at 0:25", "", "was 5.0 out, on the bottom"]);
+  assert.deepEqual(was(), ["2 s after it was so, at 0:25", "", "was 5 from the lip, on the bottom"]);
   late.judges([27, "2 s after it was so, at 0:25"], [53, "2.41 were so"], [131, "4.97 were so"]);
-  assert.deepEqual(was(), ["2 s after it was so, at 0:25", "2.41 were so", "was 5.0 out, on the bottom"]);
+  assert.deepEqual(was(), ["2 s after it was so, at 0:25", "2.41 were so", "was 5 from the lip, on the bottom"]);
 });
 
 test("a desk that is opened late has what was so of every report from a recording that was being made", () => {
@@ -115,8 +116,22 @@ test("a desk that is opened late has what was so of every report from a recordin
   late.recorded([26, 0.2], [27, 0.4], [28, 0.9], [53, 9], [55, 9.5], [52, 2.1], [53, 2.3], [54, 2.6], [130, 4.9]);
   assert.deepEqual(
     late.lines().map(({ was }) => was),
-    ["was 0.4 out, on the bottom", "was 2.3 outboard of the lip", "was 5.0 outboard of the lip"],
+    ["was 0.4 from the lip, on the bottom", "was 2.35 in the pipe", "was 5.05 in the pipe"],
   );
+});
+
+test("shackles are told from where the report counts them", () => {
+  const { REPORT_SHACKLES_ON_DECK: onDeck, REPORT_SHACKLES_IN_WATER: inWater } = ReportCode;
+  const at = (code: ReportCode): string => {
+    const early = desk();
+    early.stands(50, 4, undefined, 6);
+    early.says(code, 4);
+    early.logs(50, code, 4);
+    return early.lines()[0]!.was;
+  };
+  assert.equal(at(onDeck), "was 4.15 on deck");
+  assert.equal(at(inPipe), "was 4.05 in the pipe");
+  assert.equal(at(inWater), "was 3.78 in the water");
 });
 
 test("the same words said twice are two reports, each beside its own truth", () => {
@@ -132,8 +147,8 @@ test("the same words said twice are two reports, each beside its own truth", () 
   assert.deepEqual(
     early.lines().map(({ time, was }) => [time, was]),
     [
-      [10, "was 1.9 outboard of the lip"],
-      [20, "was 2.4 outboard of the lip"],
+      [10, "was 1.95 in the pipe"],
+      [20, "was 2.45 in the pipe"],
     ],
   );
 });

@@ -33,16 +33,13 @@ test("who was relieved goes on alone, where he was", () => {
 test("a class that goes on says before what it begins, and what was lost by that", () => {
   const why = (before: From["before"], standing: string[] = []): string =>
     whyFrom({ recording: "mon-1-17", position: 14, time: 10, before, lost: "fall", lost_at: 33.4, standing });
-  assert.equal(
-    why("levers"),
-    'ten seconds before the last move of the levers that came before "fall" went wrong, at 0:33',
-  );
-  assert.equal(why("order"), 'ten seconds before the last order that came before "fall" went wrong, at 0:33');
-  assert.equal(why("due"), 'ten seconds before it was time for "fall", which went wrong at 0:33');
-  assert.equal(why("loss"), 'ten seconds before "fall" went wrong, at 0:33');
+  assert.equal(why("levers"), '10 s before the levers were moved and "fall" went wrong, at 0:33');
+  assert.equal(why("order"), '10 s before the order after which "fall" went wrong, at 0:33');
+  assert.equal(why("due"), '10 s before it was time for "fall", which went wrong at 0:33');
+  assert.equal(why("loss"), '10 s before "fall" went wrong, at 0:33');
   assert.equal(
     why("loss", ["repeat", "pay out"]),
-    'ten seconds before "fall" went wrong, at 0:33; had gone wrong by then, and stands as it was: repeat, pay out',
+    '10 s before "fall" went wrong, at 0:33; already lost by then: repeat, pay out',
   );
 });
 

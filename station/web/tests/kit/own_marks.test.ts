@@ -123,8 +123,8 @@ test("what halved the points is told, and a bridge that was lied to is not one w
     criterion("excused", { must: true, counts: false, state: CriterionState.CRITERION_OVERRIDDEN }),
   ];
   assert.deepEqual(whyHalved({ ...halved, criteria, objectives: [objective] }), [
-    "a must was missed",
-    "a must was not shown",
+    "a criterion marked (must) was missed",
+    "a criterion marked (must) was not come to",
     "an objective has less than half of its points",
   ]);
 });

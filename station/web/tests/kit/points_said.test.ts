@@ -53,6 +53,8 @@ test("rows stand in points of the 100 that their sum is of, and one that is open
   Object.assign(criteria[1]!, met);
   assert.deepEqual(rows(true), ["34.3 of 57.1", "38.6 of 42.9", "\u2013", "\u2013"], "as the debriefing has them");
   assert.equal(shareSaid(criteria[0]!, 1000, { criteria, finished: true }), "57.1 of 57.1");
+  const eighty = [criterion(5, met), criterion(75, met)];
+  assert.equal(shareSaid(eighty[0]!, 1000, { criteria: eighty, finished: true }), "6.3 of 6.3", "of 6.25, as there");
 });
 
 test("an assessor's word counts as soon as it is said, beside what was computed", () => {

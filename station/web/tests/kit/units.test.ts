@@ -19,6 +19,13 @@ test("SI becomes knots, degrees, shackles and degrees Celsius", () => {
   near(units.celsius(373.15), 100);
 });
 
+test("shackles have two decimals at most and no minus before a zero, a lead is told in half hours", () => {
+  const metres = [191.8, 110, -0.04, 82.5];
+  assert.deepEqual(metres.map(units.shacklesFigure), ["6.97", "4", "0", "3"]);
+  assert.deepEqual([11.7, 11.8, 0.1, 0.6, 6].map(units.clockHour), ["11.5", "12", "12", "12.5", "6"]);
+  assert.equal(units.clockHour(NaN), "-");
+});
+
 test("a bearing has three figures, and 360 is 000", () => {
   const of = (angle: number): string => units.bearing(units.radians(angle));
   assert.deepEqual([7, 359.6, 360, -10, 725].map(of), ["007", "000", "000", "350", "005"]);
