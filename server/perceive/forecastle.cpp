@@ -21,8 +21,9 @@ constexpr double kPressureStep = 2e5;          ///< Pa, as a pressure gauge is r
 constexpr double kWorkStep = 10;               ///< s, as men say how long they need
 constexpr double kCounterSpeedStep = 1.0 / 60; ///< m/s, whole m/min; tuned
 
-/// m/s, above which the wind has the next number (Beaufort, at 10 m; WMO).
-constexpr std::array kBeaufort{0.2, 1.5, 3.3, 5.4, 7.9, 10.7, 13.8, 17.1, 20.7, 24.4, 28.4, 32.6};
+/// kn, above which the wind has the next number (Beaufort, at 10 m; WMO): of whole knots, as people are told
+/// the wind, so that 16 kn are force 4 wherever they are read.
+constexpr std::array kBeaufort{0.5, 3.5, 6.5, 10.5, 16.5, 21.5, 27.5, 33.5, 40.5, 47.5, 55.5, 63.5};
 
 /// W into the lining, from which it is heard to rub, squeal, scream.
 constexpr std::array kBrakeNoise{words::limits::brake_rubs, words::limits::brake_squeals,
@@ -169,7 +170,7 @@ void perceive_forecastle(const exercise::Snapshot& from, const exercise::TackleV
     to.ship_roll(tilt(from.ship).roll);
     to.ship_pitch(tilt(from.ship).pitch);
     const ApparentWind wind = apparent_wind(from);
-    to.wind_felt(passed(kBeaufort, wind.speed));
+    to.wind_felt(passed(kBeaufort, wind.speed / words::units::knot));
     to.wind_from_bow(to.wind_felt() == 0 ? 0 : round_the_compass(wind.from_bow, 16)); // the flag hangs
 
     // The stand: levers as they are

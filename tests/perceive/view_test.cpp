@@ -103,6 +103,10 @@ TEST(Forecastle, WindIsFeltAsItMeetsTheShip) {
     EXPECT_NEAR(bridge(s).wind_from_apparent(), 100 * kDegree, 1e-12);
     s.ship.heading = 190 * kDegree; // now it comes over the port bow's side
     EXPECT_NEAR(forecastle(s).wind_from_bow(), 270 * kDegree, 1e-9);
+    s.environment.now.wind_speed = 8; // 15.6 kn, told as 16 kn
+    EXPECT_EQ(forecastle(s).wind_felt(), 4);
+    s.environment.now.wind_speed = 8.6; // 16.7 kn, told as 17 kn
+    EXPECT_EQ(forecastle(s).wind_felt(), 5);
     s.environment.now.wind_speed = 0.1;
     EXPECT_EQ(forecastle(s).wind_felt(), 0);
     EXPECT_EQ(forecastle(s).wind_from_bow(), 0); // the flag hangs
