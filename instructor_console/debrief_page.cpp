@@ -6,6 +6,7 @@
 #include "recorder/debrief/side_by_side.hpp"
 #include "recorder/ghost.hpp"
 #include "recorder/remedies.hpp"
+#include "station/format.hpp"
 
 #include <sched.h>
 
@@ -58,6 +59,14 @@ std::string waiting_page(const fs::path& recording, const std::string& words, bo
                                  again);
 }
 
+/// What is done, for how long the page has waited, and why that may be long.
+std::string waiting_words(const std::string& doing, std::chrono::steady_clock::duration waited) {
+    const double seconds = std::chrono::duration<double>(waited).count();
+    return doing + " " + station::clock(seconds) +
+           " min so far. It goes on with what the classes leave of the processor: while they run it may take "
+           "long.";
+}
+
 } // namespace
 
 std::string debrief_page(const fs::path& path, const fs::path& config, const std::string& what_if,
@@ -94,12 +103,19 @@ std::string WhatIfPages::page(const fs::path& recording) {
     const std::lock_guard lock(mutex_);
     Page& page = pages_[recording];
     if (page.of != now && std::ranges::find(waiting_, recording) == waiting_.end()) {
-        page = {.of = now, .html = waiting_page(recording, "It waits for another search.", true)};
+        page = {.of = now,
+                .html = {},
+                .doing = "It waits for another search.",
+                .since = std::chrono::steady_clock::now()};
         waiting_.push_back(recording);
         asked_.notify_one();
     }
     page.asked = ++asked_for_;
-    std::string html = page.html;
+    std::string html =
+        !page.html.empty()
+            ? page.html
+            : waiting_page(recording,
+                           waiting_words(page.doing, std::chrono::steady_clock::now() - page.since), true);
     if (pages_.size() > kMost)
         pages_.erase(
             std::ranges::min_element(pages_, {}, [](const auto& each) { return each.second.asked; }));
@@ -109,6 +125,11 @@ std::string WhatIfPages::page(const fs::path& recording) {
 void WhatIfPages::show(const fs::path& recording, std::string html) {
     const std::lock_guard lock(mutex_);
     if (const auto page = pages_.find(recording); page != pages_.end()) page->second.html = std::move(html);
+}
+
+void WhatIfPages::tell(const fs::path& recording, std::string doing) {
+    const std::lock_guard lock(mutex_);
+    if (const auto page = pages_.find(recording); page != pages_.end()) page->second.doing = std::move(doing);
 }
 
 void WhatIfPages::work(const std::stop_token& stop, bool beside) {
@@ -132,14 +153,11 @@ void WhatIfPages::work(const std::stop_token& stop, bool beside) {
 }
 
 std::string WhatIfPages::search(const fs::path& path, const std::stop_token& stop) {
-    show(path, waiting_page(path, "Reading the recording ...", true));
+    tell(path, "Reading the recording ...");
     recording::Recording recording({path});
     auto remedies = recorder::remedies_of(
         recording, 0, config_,
-        [&](const std::string& words) {
-            show(path, waiting_page(path, "Searching for " + words + " ...", true));
-        },
-        stop);
+        [&](const std::string& words) { tell(path, "Searching for " + words + " ..."); }, stop);
     return page_of(recording, config_, {.links = beside({}), .remedies = std::move(remedies)});
 }
 

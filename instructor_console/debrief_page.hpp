@@ -2,6 +2,7 @@
 
 #include "recorder/debrief/page.hpp"
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
@@ -52,12 +53,15 @@ public:
 private:
     struct Page {
         std::optional<std::filesystem::file_time_type> of{}; ///< when the recording last changed
-        std::string html;
-        std::uint64_t asked = 0; ///< counts those who asked
+        std::string html;                                    ///< empty: it is not made yet
+        std::string doing;                                   ///< until then, in words
+        std::chrono::steady_clock::time_point since{};       ///< of that search
+        std::uint64_t asked = 0;                             ///< counts those who asked
     };
     void work(const std::stop_token& stop, bool beside);
     std::string search(const std::filesystem::path& recording, const std::stop_token& stop);
     void show(const std::filesystem::path& recording, std::string html);
+    void tell(const std::filesystem::path& recording, std::string doing);
 
     const std::filesystem::path config_;
     std::mutex mutex_;

@@ -153,7 +153,9 @@ std::string deductions(const PageContext& page, const Judgement& judgement) {
                 ? ""
                 : fmt::format(
                       "<p><a href=\"{}\">What would have kept them</a>: every answer is really played, "
-                      "which takes some seconds to a minute or two each.</p>\n",
+                      "which takes some seconds to a minute or two each, and longer while a class runs: it "
+                      "has what "
+                      "the classes leave of the processor.</p>\n",
                       escaped(what_if)));
 }
 

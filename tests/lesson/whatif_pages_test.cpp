@@ -41,6 +41,9 @@ TEST(WhatIfPages, SayHowFarTheSearchIsAndThenShowBothCoursesAndScenes) {
     std::set<std::string> before;
     const std::string page = made(pages, path, before);
     EXPECT_THAT(before, testing::Contains(HasSubstr("Searching for what would have kept ")));
+    EXPECT_THAT(before, testing::Each(HasSubstr(
+                            " min so far. It goes on with what the classes leave of the processor")))
+        << "nobody thinks that it hangs";
     EXPECT_THAT(page, HasSubstr("the wheel hard on, which stood wide open"));
     EXPECT_THAT(page, HasSubstr("Do it again from <a href=\"/replay?recording=monday&amp;t="));
     EXPECT_THAT(page, HasSubstr("<h3>As it was, and as it would have been</h3>"));

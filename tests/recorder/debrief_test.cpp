@@ -250,7 +250,8 @@ TEST(DebriefTest, WhatHalvedThePointsIsTold) {
     marks.abort("the bridge heard nothing");
     EXPECT_THAT(page_of(attempt, {}),
                 HasSubstr("Halved, since a criterion marked (must) was missed, a criterion marked (must) was "
-                          "not come to, an objective has less than half of its points and the bridge heard nothing: 32.6."));
+                          "not come to, an objective has less than half of its points and the bridge heard "
+                          "nothing: 32.6."));
 }
 
 TEST(DebriefTest, PointsThatHaveNotPassedDoNotReadAsIfTheyHad) {
