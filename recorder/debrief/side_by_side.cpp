@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace windlass::debrief {
 
@@ -173,6 +174,14 @@ Cell spread_cell(const Row& row) {
     return {fmt::format("<span class=\"squares\" aria-hidden=\"true\">{}</span> {}", squares, words), false};
 }
 
+/// Whether it is worth other points in one exercise than in another, as they are told.
+bool differs_in_worth(const Row& row) {
+    std::set<std::string> worth;
+    for (const Mark* mark : row.marks)
+        if (in_play(mark)) worth.insert(share_text(mark->points));
+    return worth.size() > 1;
+}
+
 std::string criteria_part(const Class& of) {
     std::vector<Row> all;
     for (std::size_t i = 0; i < of.size(); ++i)
@@ -201,7 +210,12 @@ std::string criteria_part(const Class& of) {
         "criteria", "Criteria",
         table("Points of 100 that each has of it, and the time of exercise at which it went wrong; "
               "what lost most stands first; -: not in play",
-              columns, rows));
+              columns, rows) +
+            (std::ranges::any_of(all, differs_in_worth)
+                 ? "<p>What came into play makes up 100 points in each exercise: where something did not, "
+                   "the "
+                   "rest is worth more, and the same deed has other points.</p>\n"
+                 : ""));
 }
 
 /// Something that was done in one or more of the exercises: when, in each.

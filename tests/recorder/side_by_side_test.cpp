@@ -72,6 +72,16 @@ TEST_F(SideBySide, EachCriterionHasItsPointsAndHowTheyAreSpread) {
                             "<span class=\"squares\" aria-hidden=\"true\">\u25e7\u25a0\u25a1</span> "
                             "1 whole, 1 in part, 1 none"));
     EXPECT_THAT(row(page, "later: criterion later"), ElementsAre("-", "-", "-", "", "not in play"));
+    EXPECT_THAT(page, Not(HasSubstr("the rest is worth more")));
+}
+
+TEST_F(SideBySide, SaysWhyTheSameDeedHasOtherPointsWhereLessCameIntoPlay) {
+    const Attempt whole = attempt_of();
+    Attempt less = attempt_of();
+    less.assessment->criteria().at(0).counts(false);
+    EXPECT_THAT(
+        page_of({&whole, &less}),
+        HasSubstr("where something did not, the rest is worth more, and the same deed has other points"));
 }
 
 TEST_F(SideBySide, WhatLostMostPointsStandsFirst) {
