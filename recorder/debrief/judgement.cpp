@@ -1,5 +1,6 @@
 #include "recorder/debrief/judgement.hpp"
 
+#include "recorder/debrief/seat_units.hpp"
 #include "words/words.hpp"
 
 #include <algorithm>
@@ -154,7 +155,7 @@ std::string name_of(const Criterion& criterion) {
 }
 
 std::string title_of(const Criterion& criterion) {
-    const std::string why = criterion.text().to_string();
+    const std::string why = in_seat_units(criterion.text().to_string());
     return why.empty() ? name_of(criterion) : name_of(criterion) + ": " + why;
 }
 
