@@ -96,7 +96,7 @@ constexpr std::array kLeverWords{
 };
 constexpr double kAtRest = 0.05; // of its travel
 
-const LeverWords* lever_of(const Quantity& quantity) {
+const LeverWords* lever_named(const Quantity& quantity) {
     const auto* found = std::ranges::find(kLeverWords, short_name(quantity), &LeverWords::name);
     return found == kLeverWords.end() ? nullptr : found;
 }
@@ -131,13 +131,14 @@ std::string lever_bounds(const LeverWords& lever, const Bounds& bounds) {
 
 /// "brake hard on", "brake eased", "brake open": what a mate calls it, the figure is the lesson's.
 std::string brake_bounds(const Bounds& bounds) {
-    constexpr double kHardOn = 0.8, kOpen = 0.25; // of the wheel's travel, from which people call it so
+    constexpr double kCalledHardOn = 0.8,
+                     kCalledOpen = 0.25; // of the wheel's travel, from which people call it so
     const double least = std::max(bounds.above, bounds.at_least);
     if (least > -kNoLimit && bounds.below < kNoLimit)
         return "brake between " + hundredth_parts(least) + " and " + hundredth_parts(bounds.below) + " on";
     if (least > -kNoLimit)
-        return least >= kHardOn ? "brake hard on" : "brake above " + hundredth_parts(least);
-    return bounds.below <= kOpen ? "brake open" : "brake eased";
+        return least >= kCalledHardOn ? "brake hard on" : "brake above " + hundredth_parts(least);
+    return bounds.below <= kCalledOpen ? "brake open" : "brake eased";
 }
 
 /// "brake hard on", "cable out from the lip below 6 shackles", "stopper closed", "the motor has not tripped".
@@ -146,7 +147,7 @@ std::string bounds_words(const Bounds& bounds) {
     const std::string unit = quantity.unit;
     if (unit == "yes") return bounds.below < kNoLimit ? quantity.not_so : short_name(quantity);
     if (is_brake_wheel(quantity)) return brake_bounds(bounds);
-    if (const LeverWords* lever = lever_of(quantity)) return lever_bounds(*lever, bounds);
+    if (const LeverWords* lever = lever_named(quantity)) return lever_bounds(*lever, bounds);
     std::string text = unit.empty() ? quantity.text : short_name(quantity); // a scale wants its ends told
     if (bounds.above > -kNoLimit && bounds.below < kNoLimit)
         return text + " between " + bare_figure(bounds.above, unit) + " and " +
@@ -167,7 +168,7 @@ std::string figure_found(const Quantity& quantity, double value) {
         if (value < kRounded) return "brake was open";
         return value > 1 - kRounded ? "brake was hard on" : "brake was " + hundredth_parts(value) + " on";
     }
-    if (const LeverWords* lever = lever_of(quantity))
+    if (const LeverWords* lever = lever_named(quantity))
         return std::string(lever->name) + " was " + lever_at(*lever, value);
     return short_name(quantity) + " was " + figure_text(value, unit);
 }

@@ -162,7 +162,8 @@ TEST(Assessment, ReasonOfAStateSaysFirstWhatWasNotSo) {
     Course course(lesson(
         R"({"id": "s", "kind": "state_at", "at": "bottom", "that": {"cable_speed": {"above": -0.05, "below": 0.05},
         "brake_position": {"above": 0.95}, "engine": {"above": -0.03, "below": 0.03},
-        "piled": {"below": 2}, "stopper": "on", "clutch": "out"}})"));
+        "piled": {"below": 2}, "height_above_bottom": {"below": 1}, "dragged": {"below": 5},
+        "stopper": "on", "clutch": "out"}})"));
     course.windlass().brake_position = 1;
     course.windlass().clutch = exercise::ClutchState::out;
     course.run(1);
