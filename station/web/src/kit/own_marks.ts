@@ -386,14 +386,22 @@ function section(title: string, rows: HTMLElement[]): HTMLElement | false {
   return rows.length > 0 && h("section", {}, h("h3", {}, title), h("ul", {}, ...rows));
 }
 
+/**
+ * A reason without what it cost, as the debriefing has it: the points beside it say that, and in the reader's figures,
+ * where the judge's sentence has English ones.
+ */
+export const withoutCost = (reason: string): string =>
+  reason.replace(/(?:^|: )(?:all of its|[\d.]+ % of its) points lost/, "");
+
 /** Its reason begins with the moment at which it went wrong. Points are those of the debriefing. */
 function criterionRow(criterion: Criterion, assessment: Assessment): HTMLElement {
   const points = shareSaid(criterion, criterion.counted, assessment);
+  const reason = withoutCost(criterion.reason);
   return h(
     "li",
     { "data-met": criterion.met ? "" : undefined },
     `${capital(spaced(criterion.code))}${criterion.must ? ` ${t("(must)")}` : ""}: ${points}`,
-    criterion.reason && h("span", { lang: "en" }, inChosenUnits(criterion.reason)),
+    reason && h("span", { lang: "en" }, inChosenUnits(reason)),
     whyItMatters(criterion),
   );
 }

@@ -16,6 +16,7 @@ import {
   wentWell,
   whose,
   whyHalved,
+  withoutCost,
 } from "../../src/kit/own_marks";
 import { root } from "../../tools/web.mjs";
 import {
@@ -103,6 +104,15 @@ test("a report is right to which nothing was wanting, and stands there as it was
   assert.equal(saidIn(log, { tick: 1530, side: 0 }), "4 shackles in the pipe");
   assert.equal(saidIn(log, { tick: 1530, side: 1 }), undefined);
   assert.equal(saidIn(log, { tick: 1531, side: 0 }), undefined);
+});
+
+test("a reason does not say again what the points beside it say", () => {
+  assert.equal(
+    withoutCost("0:16 cable's speed 7 m/s, at most 3 m/s: 66.7 % of its points lost"),
+    "0:16 cable's speed 7 m/s, at most 3 m/s",
+  );
+  assert.equal(withoutCost("0:42 stopper open: all of its points lost; a must"), "0:42 stopper open; a must");
+  assert.equal(withoutCost("all of its points lost"), "");
 });
 
 test("the outcome is the server's, beside what is needed", () => {
