@@ -41,7 +41,8 @@ struct Reckoning {
 };
 /// Nothing where it does not come to the score that the server has given.
 std::optional<Reckoning> reckoning_of(const Attempt& attempt, const Judgement& judgement);
-/// What of it halved the points: "a criterion marked (must) was missed", "the bridge was told what is not so when it asked ...".
+/// What of it halved the points: "a criterion marked (must) was missed", "the bridge was told what is not so
+/// when it asked ...".
 std::vector<std::string> why_halved(const Attempt& attempt);
 
 /// Empty where nothing was assessed. The attempt must outlive it.
