@@ -109,26 +109,33 @@ bool is_carried_out(const Condition& done, const Lesson& lesson, State& state, s
 }
 
 /// When one of those that an order is to carried it out: since when it has been so, once that has lasted.
-void watch_part(bool so, std::int64_t& since, std::int64_t& at, std::int64_t tick, int tick_rate) {
+void watch_part(bool so, std::int64_t lasts, std::int64_t& since, std::int64_t& at, std::int64_t tick) {
     if (!so)
         since = -1;
     else if (since < 0)
         since = tick;
-    else if (tick - since >= ticks(kDoneFor, tick_rate))
+    else if (tick - since >= lasts)
         at = since;
+}
+
+/// Ticks for which it has been so once it is carried out.
+std::int64_t lasts_when_done(exercise::BridgeOrderCode code, double figure, int tick_rate) {
+    return ticks(is_to_stand(code, figure) ? kStandsFor : kDoneFor, tick_rate);
 }
 
 /// Each of those that an order is to carries it out at his time; it is done when the last has.
 void watch_deed(const Lesson& lesson, State& state, std::size_t k, const Snapshot& seen, int tick_rate) {
     const std::vector<Condition>& done = lesson.orders[k].done;
+    const exercise::BridgeOrderGiven& given = lesson.orders[k].given;
     OrderCourse& course = state.orders[k];
+    const std::int64_t lasts = lasts_when_done(given.code, std::max(given.value, course.figure), tick_rate);
     std::int64_t last = -1;
     bool all = true;
     for (std::size_t i = 0; i < done.size(); ++i) {
         std::int64_t &at = course.each_done.at(i), &since = course.each_since.at(i);
         if (at < 0)
-            watch_part(is_carried_out(done[i], lesson, state, k, seen, tick_rate), since, at, state.tick,
-                       tick_rate);
+            watch_part(is_carried_out(done[i], lesson, state, k, seen, tick_rate), lasts, since, at,
+                       state.tick);
         all = all && at >= 0;
         last = std::max(last, at);
     }
@@ -159,6 +166,7 @@ void watch_further(const Lesson& lesson, State& state, const Snapshot& seen, int
             std::ranges::find(seen.bridge_orders, order.number, &exercise::BridgeOrderView::number);
         if (found != seen.bridge_orders.end() && found->state == exercise::BridgeOrderState::cancelled)
             continue;
+        const std::int64_t lasts = lasts_when_done(order.code, order.figure, tick_rate);
         std::int64_t last = -1;
         bool all = true;
         for (const TackleView& tackle : seen.tackle) {
@@ -169,7 +177,7 @@ void watch_further(const Lesson& lesson, State& state, const Snapshot& seen, int
             if (at < 0)
                 watch_part(order.figure > 0 ? stands_at_figure(order.code, order.figure, tackle)
                                             : holds(done, lesson, state, seen, tick_rate),
-                           since, at, state.tick, tick_rate);
+                           lasts, since, at, state.tick);
             all = all && at >= 0;
             last = std::max(last, at);
         }

@@ -83,7 +83,7 @@ struct LessonOrder {
     /// insists.
     std::optional<Condition> unsafe{};
     std::vector<Condition> done; ///< one for each windlass that it is to: carried out once each has held for
-                                 ///< kDoneFor after it was given, each at its time
+                                 ///< kDoneFor, or kStandsFor, after it was given, each at its time
 };
 
 /// A fault that comes once its condition holds, and goes once the other does.
@@ -243,7 +243,8 @@ struct Lesson {
     std::vector<std::pair<std::string, std::string>> hands;
 };
 
-inline constexpr double kDoneFor = 1; ///< s for which a condition of an order has held when it is done
+inline constexpr double kDoneFor = 1;   ///< s for which a condition of an order has held when it is done
+inline constexpr double kStandsFor = 3; ///< the same, of cable that is to stand at a figure
 
 /// Reads the text of a lesson, which fits its schema. Throws exercise::ConfigError with a line for each
 /// fault:

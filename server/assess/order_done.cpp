@@ -97,7 +97,8 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
         break;
     case BridgeOrderCode::hold_on:
         done.bounds = {stopped(), above("brake_position", kHardOn)};
-        if (order.value > 0) done.bounds.push_back(above("shackles", order.value - kAtMark));
+        if (order.value > 0)
+            done.bounds.push_back(between("shackles", order.value - kAtMark, order.value + kAtMark));
         break;
     case BridgeOrderCode::walk_back:
         done.bounds = {is("clutch_in"), above("cable_speed", 0.02)};
@@ -166,6 +167,18 @@ bool is_to_a_figure(const exercise::BridgeOrderGiven& order) {
     }
 }
 
+bool is_to_stand(BridgeOrderCode code, double figure) {
+    switch (code) {
+    case BridgeOrderCode::walk_out:
+    case BridgeOrderCode::pay_out:
+    case BridgeOrderCode::veer:
+    case BridgeOrderCode::hold_on:
+        return figure > 0;
+    default:
+        return false;
+    }
+}
+
 bool stands_at_figure(BridgeOrderCode code, double figure, const exercise::TackleView& tackle) {
     const double more = physics::shackles_from_metres(tackle.chain.cable_out) - figure; // than was ordered
     const double speed = std::abs(tackle.windlass.cable_speed);
@@ -174,7 +187,7 @@ bool stands_at_figure(BridgeOrderCode code, double figure, const exercise::Tackl
     case BridgeOrderCode::walk_out:
         return std::abs(tackle.chain.cable_out - figure) < kAtMetres && braked;
     case BridgeOrderCode::hold_on:
-        return more > -kAtMark && braked;
+        return std::abs(more) < kAtMark && braked;
     case BridgeOrderCode::heave_to:
         return more < kAtMark && speed < kStands;
     default: // out to it

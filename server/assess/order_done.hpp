@@ -19,6 +19,10 @@ bool is_question(exercise::BridgeOrderCode code);
 /// Whether the order is for cable to a figure: it is carried out when the cable stands at that.
 bool is_to_a_figure(const exercise::BridgeOrderGiven& order);
 
+/// Whether it is for cable that is to be stopped at a figure and stand there: once it only pauses there, the
+/// order is not carried out.
+bool is_to_stand(exercise::BridgeOrderCode code, double figure);
+
 /// Whether the cable stands at the figure of an order that is to one.
 bool stands_at_figure(exercise::BridgeOrderCode code, double figure, const exercise::TackleView& tackle);
 

@@ -96,6 +96,51 @@ TEST(Assessment, OrderToBothIsCarriedOutByBoth) {
     EXPECT_EQ(course.mark().lost_tick, 111U) << "when it was given";
 }
 
+// Nobody holds on at six who has seven out: he can walk one back, or call the order unsafe.
+TEST(Assessment, OrderToHoldOnIsNotCarriedOutWithMoreOutThanItSays) {
+    for (const double shackles : {5.5, 5.9, 6.2, 6.5, 7.0}) {
+        Course course(lesson(R"({"id": "o", "kind": "order", "orders": "hold"})",
+                             R"(, "orders": [{"id": "hold", "code": "hold_on", "value": 6}])"));
+        course.run(1);
+        ASSERT_EQ(course.due.size(), 1u);
+        give_first(course, exercise::BridgeOrderState::repeated);
+        course.windlass().cable_speed = 1;
+        course.run(2);
+        course.windlass().cable_speed = 0;
+        course.windlass().brake_position = 1;
+        course.chain().cable_out = shackles * 27.5;
+        course.run(10);
+        const bool near = std::abs(shackles - 6) < 0.25;
+        EXPECT_EQ(course.now().orders.at(0).tick > 0, near) << shackles;
+        course.end();
+        EXPECT_EQ(course.mark().milli, near ? 1000 : 400) << shackles << ": " << course.mark().reason;
+    }
+}
+
+// Checked for two seconds at the second mark and let go on to the third, it was not paid out to two.
+TEST(Assessment, CableThatPausesAtItsMarkHasNotBeenPaidOutToIt) {
+    Course course(lesson(R"({"id": "o", "kind": "order", "orders": "pay"})",
+                         R"(, "orders": [{"id": "pay", "code": "pay_out", "value": 2}])"));
+    course.run(1);
+    ASSERT_EQ(course.due.size(), 1u);
+    give_first(course, exercise::BridgeOrderState::repeated);
+    const auto runs_on = [&] {
+        course.windlass().cable_speed = 1;
+        course.run(1);
+        course.windlass().cable_speed = 0;
+    };
+    runs_on();
+    course.chain().cable_out = 2 * 27.5;
+    course.run(2);
+    runs_on();
+    course.chain().cable_out = 3 * 27.5;
+    course.run(10);
+    EXPECT_EQ(course.now().orders.at(0).tick, 0U);
+    course.chain().cable_out = 2 * 27.5;
+    course.run(4);
+    EXPECT_EQ(course.now().orders.at(0).tick, 151U) << "since when it has stood there";
+}
+
 TEST(Assessment, OrderThatIsNeverRepeatedSaysSo) {
     Course course(lesson(R"({"id": "o", "kind": "order", "orders": "in"})",
                          R"(, "orders": [{"id": "in", "code": "gear_in"}])"));
