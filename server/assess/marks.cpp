@@ -660,9 +660,12 @@ void close(const Criterion& criterion, Mark& mark, State& state, const Lesson& l
     if (mark.pending >= 0) ++mark.wrong; // cut off before it was so
     if (counts_unasked(criterion) && mark.began < 0 && mark.wrong > 0) return decide(mark, 0, state.tick);
     if (criterion.question >= 0) state.questions[static_cast<std::size_t>(criterion.question)].open = false;
-    // The lesson was over at the very tick of the freeze: nobody could answer.
-    if (criterion.kind == CriterionKind::question && state.ending != Ending::instructor)
-        mark.state = CriterionState::not_in_play;
+    if (criterion.kind == CriterionKind::question) {
+        // The lesson was over at the very tick of the freeze: nobody could answer. What was never asked since
+        // its cue never came to be so is lost, but where an instructor ended what could still have come.
+        const bool asked = state.questions[static_cast<std::size_t>(criterion.question)].asked >= 0;
+        if (asked == (state.ending != Ending::instructor)) mark.state = CriterionState::not_in_play;
+    }
 
     // Cut off between a moment and the look at it: nobody knows how it would have been.
     if (criterion.kind == CriterionKind::state_at && mark.state == CriterionState::open) {

@@ -40,6 +40,10 @@ void look_at_question(const Criterion& criterion, Mark& mark, const Look& look) 
     std::int64_t right = 0; // looked at at every tick: it may have to be so for a while
     for (std::size_t k = 0; k < question.choices.size(); ++k)
         if (look.holds(question.choices[k].right)) right |= std::int64_t{1} << k;
+    if (mark.began < 0 && criterion.from && look.holds(*criterion.from)) {
+        mark.began = look.tick();
+        mark.state = CriterionState::open;
+    }
     if (!look.holds(question.when)) return;
     course = {.asked = look.tick(), .open = true, .right = right};
     if (question.quantity >= 0)

@@ -534,11 +534,18 @@ std::string prohibited_words(const Lesson& lesson, const Criterion& criterion, c
 }
 
 /// What was asked, what was answered and what was so.
-std::string question_words(const Lesson& lesson, const State& state, const Criterion& criterion, int rate) {
+std::string question_words(const Lesson& lesson, const State& state, const Criterion& criterion,
+                           const Mark& mark, int rate) {
     const auto place = static_cast<std::size_t>(criterion.question);
     const Question& question = lesson.questions[place];
     const QuestionCourse& course = state.questions[place];
-    if (course.asked < 0) return "";
+    if (course.asked < 0) {
+        if (mark.state == CriterionState::not_in_play) return "";
+        Condition cue = question.when; // what he was to bring about; that its signs came is known
+        cue.signs.clear();
+        return clock(mark.began, rate) + (mark.decided < 0 ? " not asked yet" : " never asked") +
+               ", since it was not so: " + condition_words(lesson, cue);
+    }
     const auto said = [&](int choice) {
         return '"' + question.choices[static_cast<std::size_t>(choice)].text + '"';
     };
@@ -636,7 +643,7 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
         text = final_words(lesson, criterion, mark, tick_rate);
         break;
     case CriterionKind::question:
-        text = question_words(lesson, state, criterion, tick_rate);
+        text = question_words(lesson, state, criterion, mark, tick_rate);
         break;
     case CriterionKind::rubric:
         break;

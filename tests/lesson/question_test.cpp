@@ -112,6 +112,42 @@ TEST(Question, WhatIsNotKnownEarnsNothingWhatIsPassedOverCountsForNobodyAndBothS
     EXPECT_EQ(never.mark().state, CriterionState::not_in_play) << "it never came up";
 }
 
+// Who says that it is ready is asked once it is so, and has nothing of the question where it never is.
+TEST(Question, ThatIsAskedOnceItIsSoIsLostWhereItNeverIs) {
+    const std::string ready =
+        R"({"id": "out", "kind": "question", "ask": "How much cable is out?", "of": "shackles", "tolerance": 0.5,)"
+        R"( "from": {"report": "anchor_ready"}, "when": {"report": "anchor_ready", "cable_out": 55}})";
+    const std::string end = R"(, "end": {"time": 20})";
+    Course falsely(lesson(ready, end));
+    falsely.run(1);
+    EXPECT_EQ(falsely.mark().state, CriterionState::not_in_play);
+    falsely.report(exercise::ReportCode::anchor_ready);
+    falsely.run(5);
+    EXPECT_EQ(falsely.open_question(true), -1) << "the exercise does not hold for it";
+    EXPECT_EQ(falsely.mark().state, CriterionState::open);
+    EXPECT_THAT(falsely.mark().reason, HasSubstr("not asked yet"));
+    falsely.run(20);
+    EXPECT_EQ(falsely.mark().state, CriterionState::not_met);
+    EXPECT_THAT(
+        falsely.mark().reason,
+        HasSubstr("0:01 never asked, since it was not so: cable out at least 55 m: all of its points"));
+
+    Course late(lesson(ready, end));
+    late.report(exercise::ReportCode::anchor_ready);
+    late.run(5);
+    late.chain().cable_out = 4 * 27.5;
+    late.run(0.1);
+    EXPECT_EQ(late.open_question(true), 0);
+    late.say(number(4));
+    EXPECT_EQ(late.mark().milli, 1000);
+
+    Course ended(lesson(ready, end));
+    ended.report(exercise::ReportCode::anchor_ready);
+    ended.run(5);
+    ended.end();
+    EXPECT_EQ(ended.mark().state, CriterionState::not_in_play) << "it could still have come";
+}
+
 TEST(Question, OfALessonThatIsOverAtThatVeryTickIsNobodysLoss) {
     Course course(lesson(kHowMuch, R"(, "end": {"good": {"cable_out": 55}})"));
     course.chain().cable_out = 60;
