@@ -25,9 +25,12 @@ constexpr auto kMostAsked = static_cast<int>(words::limits::bridge_asks);
 constexpr double kCorrects = 2;     // s after a wrong repeat
 constexpr double kWaitsRepeat = 5;  // s after a repeat should have come
 constexpr double kWaitsAnswer = 30; // s after an order should have been carried out, and since the last word
-constexpr double kRenews = 8;       // s after it has heard that less was done than it ordered
-constexpr double kAsOrdered = 0.5;  // shackles, by which a reported length may differ from the ordered one
-constexpr double kDoneAlready = 0.25; // shackles short of an order that need not be given any more
+constexpr double kWaitsLonger = 30; // s for the repeat of an order where it waits longer
+constexpr const char* kLastCall = "this is my last call: if I have no correct answer I will abort";
+constexpr std::size_t kMostText = 256; // bytes of an order's text; of the IDL
+constexpr double kRenews = 8;          // s after it has heard that less was done than it ordered
+constexpr double kAsOrdered = 0.5;     // shackles, by which a reported length may differ from the ordered one
+constexpr double kDoneAlready = 0.25;  // shackles short of an order that need not be given any more
 
 bool of_length(const BridgeOrderGiven& order) {
     switch (order.code) {
@@ -201,6 +204,30 @@ int open_order(const Lesson& lesson, const State& state) {
     return next == nullptr ? -1 : unanswered(*next, lesson, state);
 }
 
+/// Whether the forecastle has said nothing yet in this lesson.
+bool is_silent_yet(const State& state) {
+    return state.heard_at < 0 && std::ranges::none_of(state.orders, [](const OrderCourse& course) {
+               return course.repeated >= 0 || course.misrepeated;
+           });
+}
+
+/// s that it waits for an order to be repeated, after it has given it: longer for a first word, since he may
+/// still be finding his way about, and after its last call, which he is to have time to answer.
+double waits_for_repeat(const BridgeOrderGiven& given, const State& state) {
+    const double usual = repeat_within(given) + kWaitsRepeat;
+    const bool longer = is_silent_yet(state) || state.asked >= kMostAsked;
+    return longer ? std::max(usual, kWaitsLonger) : usual;
+}
+
+/// What it says when it asks: the last time also what comes of it where nothing is heard.
+std::string call_words(const std::string& words, const std::string& text, const State& state) {
+    const std::string last =
+        state.asked < kMostAsked ? "" : (words.empty() ? "" : "; ") + std::string(kLastCall);
+    const std::string order = text.empty() ? "" : ": " + text;
+    const bool fits = words.size() + last.size() + order.size() <= kMostText;
+    return words + (fits ? last : "") + order;
+}
+
 /// Whether what has been reported is all that an order to pay out would ask for.
 bool reported_done(const LessonOrder& order, const State& state) {
     const BridgeOrderGiven& given = order.given;
@@ -360,7 +387,7 @@ private:
         if (course.repeated < 0 && repeat > 0) {
             if (course.wrong_now)
                 return !passed(last_word(), kCorrects) || again(k, "that is wrong; I say again");
-            if (!passed(last_word(), repeat + kWaitsRepeat)) return true;
+            if (!passed(last_word(), waits_for_repeat(given, state_))) return true;
             return again(k, "I say again");
         }
         if (course.short_of >= 0)
@@ -404,9 +431,10 @@ private:
     }
 
     bool ask(BridgeOrderCode question, int side) {
-        const BridgeOrderGiven given{.code = question, .side = side, .by = "bridge"};
+        BridgeOrderGiven given{.code = question, .side = side, .by = "bridge"};
         if (!heard(given)) return true;
         if (!patient()) return false;
+        given.text = call_words("", "", state_);
         state_.question = static_cast<int>(question);
         say(given);
         return true;
@@ -416,7 +444,7 @@ private:
         BridgeOrderGiven given = lesson_.orders[k].given;
         if (!heard(given)) return true;
         if (!patient()) return false;
-        given.text = words + (given.text.empty() ? "" : ": " + given.text);
+        given.text = call_words(words, given.text, state_);
         state_.orders[k].short_of = -1;
         state_.renewing = static_cast<int>(k);
         say(given);
@@ -503,15 +531,17 @@ std::int64_t gives_up_at(const Lesson& lesson, const State& state, int tick_rate
     if (lesson.bridge_manned || lesson.patience <= 0 || state.asked == 0 || state.ending != Ending::none)
         return -1;
     std::int64_t since = std::max({state.begin, state.heard_at, state.spoke_at});
-    double wait = lesson.patience;
+    double wait = lesson.patience, at_last = 0; // s; at_last: after its last call, at least
     if (const int k = open_order(lesson, state); k >= 0) {
         const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
-        const double repeat = repeat_within(lesson.orders[static_cast<std::size_t>(k)].given);
-        const bool not_repeated = course.repeated < 0 && repeat > 0;
-        wait = not_repeated ? repeat + kWaitsRepeat : kWaitsAnswer;
+        const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;
+        const bool not_repeated = course.repeated < 0 && repeat_within(given) > 0;
+        wait = not_repeated ? waits_for_repeat(given, state) : kWaitsAnswer;
+        at_last = not_repeated ? kWaitsLonger : 0;
         if (!not_repeated) since = std::max({since, course.given, course.do_by});
     }
-    return since + std::llround((kMostAsked + 1 - state.asked) * wait * tick_rate);
+    const double in_all = (kMostAsked - state.asked) * wait + std::max(wait, at_last);
+    return since + std::llround(in_all * tick_rate);
 }
 
 namespace {

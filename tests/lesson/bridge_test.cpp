@@ -94,6 +94,36 @@ TEST(Bridge, SaysBeforehandWhenItGivesUp) {
     EXPECT_EQ(gives_up_at(heard.taught(), heard.state(), kRate), -1);
 }
 
+// Who has said nothing yet is given time to find his way about; later he is called every ten seconds, told
+// when it is the last time, and has half a minute to answer that.
+TEST(Bridge, SaysThatItsLastCallIsTheLastAndHasMorePatienceWithAFirstWord) {
+    const auto calls = [](bool has_spoken) {
+        Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
+            {"id": "stand-by", "code": "stand_by", "when": {"time": 1}},
+            {"id": "let-go", "code": "let_go", "when": {"answered": "stand-by"}}],
+          "criteria": [{"id": "o", "kind": "order", "orders": ["stand-by", "let-go"]}]})");
+        if (has_spoken) {
+            bridge.on(2);
+            bridge.report(ReportCode::standing_by);
+        }
+        std::vector<std::pair<long, std::string>> made; // at s
+        for (std::size_t heard = bridge.said.size(); !bridge.now().finished && bridge.seen().time < 300;) {
+            bridge.on(0.1, BridgeOrderState::given);
+            for (; heard < bridge.said.size(); ++heard)
+                made.emplace_back(std::lround(bridge.seen().time), bridge.said[heard].text);
+        }
+        made.emplace_back(std::lround(bridge.seen().time), "over");
+        return made;
+    };
+    const std::string last = "I say again; this is my last call: if I have no correct answer I will abort";
+    const std::vector<std::pair<long, std::string>> first{
+        {1, ""}, {31, "I say again"}, {61, "I say again"}, {91, last}, {121, "over"}};
+    EXPECT_EQ(calls(false), first);
+    const std::vector<std::pair<long, std::string>> second{
+        {2, ""}, {12, "I say again"}, {22, "I say again"}, {32, last}, {62, "over"}};
+    EXPECT_EQ(calls(true), second);
+}
+
 TEST(Bridge, RenewsAnOrderThatWasCarriedOutInPart) {
     Bridge bridge(kPayOut);
     bridge.on(10);
@@ -182,7 +212,7 @@ TEST(Bridge, CountsARepeatFromWhenItFirstGaveTheOrder) {
     const auto reason = [](BridgeOrderState first) {
         Bridge bridge(kPayOut);
         bridge.on(1.5, first);
-        bridge.on(30, BridgeOrderState::repeated); // each that is given from now on, at once
+        bridge.on(40, BridgeOrderState::repeated); // each that is given from now on, at once
         EXPECT_GE(bridge.said.size(), 2U);
         bridge.end();
         return bridge.mark().reason;

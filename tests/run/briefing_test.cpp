@@ -209,11 +209,11 @@ TEST_F(EndOfALesson, IsForetoldToWhoHasTheTruthWhereTheBridgeHasNoAnswer) {
         {"id": "o", "code": "stand_by", "repeat": 1, "when": {"time": 0.1}}],
       "criteria": [{"id": "c", "kind": "order", "orders": ["o"]}], "end": {"good": {"answered": "o"}}})";
     Session session(silent, options());
-    run(session, 5 * silent.tick_rate_hz);
+    run(session, 29 * silent.tick_rate_hz); // nobody has said anything yet
     EXPECT_EQ(count(session, "assessment.unanswered"), 0);
     run(session, 2 * silent.tick_rate_hz);
     EXPECT_EQ(text_of(session, "assessment.unanswered"),
-              "the bridge asks again: if it hears nothing it gives up at 0:24, and the lesson ends");
+              "the bridge asks again: if it hears nothing it gives up at 2:00, and the lesson ends");
 }
 
 TEST_F(EndOfALesson, IsForetoldAgainWhereARestoreLeadsIntoTheBridgesAsking) {
@@ -223,7 +223,7 @@ TEST_F(EndOfALesson, IsForetoldAgainWhereARestoreLeadsIntoTheBridgesAsking) {
                     R"("criteria": [{"id": "c", "kind": "order", "orders": ["o"]}], )"
                     R"("end": {"good": {"answered": "o"}}})";
     Session session(silent, options());
-    run(session, 7 * silent.tick_rate_hz);
+    run(session, 31 * silent.tick_rate_hz);
     ASSERT_EQ(count(session, "assessment.unanswered"), 1);
     session.take_checkpoint_now();
     RunOrder back = run_order(RunAction::restore);
@@ -231,7 +231,7 @@ TEST_F(EndOfALesson, IsForetoldAgainWhereARestoreLeadsIntoTheBridgesAsking) {
     session.clear_news();
     give(session, back);
     EXPECT_EQ(text_of(session, "assessment.unanswered"),
-              "the bridge asks again: if it hears nothing it gives up at 0:24, and the lesson ends");
+              "the bridge asks again: if it hears nothing it gives up at 2:00, and the lesson ends");
     session.clear_news();
     back.restore_time = 0;
     give(session, back);
