@@ -579,6 +579,7 @@ void take_report(const Criterion& criterion, Mark& mark, const Heard& heard, con
     if (takes_back && counts_unasked(criterion)) mark.reported = -1;
     if (criterion.kind != CriterionKind::report || !is_report(criterion, report.code)) return;
     const bool before = criterion.from && mark.began < 0 && !look.holds(*criterion.from);
+    if (before && criterion.truth == ReportTruth::state) mark.outside = report.tick; // worth telling
     if (counts_unasked(criterion) && (before || mark.decided >= 0)) {
         const bool of_which = report.side >= 0 || !look.lesson.two_sides; // else nobody knows
         if (of_which && mark.reported < 0) mark.reported = report.tick;

@@ -3,6 +3,7 @@
 #include "common/figure_text.hpp"
 #include "common/text.hpp"
 #include "server/assess/marks.hpp"
+#include "server/assess/order_done.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/assess/result.hpp"
 #include "server/exercise/talk/bridge_orders.hpp"
@@ -328,13 +329,37 @@ std::string state_words(const Lesson& lesson, const Criterion& criterion, const 
     return at + missed_words(lesson, criterion.that, mark.missing, mark.worst);
 }
 
-/// What was wrong with how one order went; empty: nothing. over: the lesson is, and nothing more can come.
-std::string order_faults(const LessonOrder& order, const OrderCourse& course, bool over, int rate) {
+/// Until when an order was not carried out: for as long as he had, where so much had passed before the bridge
+/// ordered the next thing, or the lesson was over.
+std::string not_done_until(const Lesson& lesson, const State& state, std::size_t k, int rate) {
+    const OrderCourse& course = state.orders[k];
+    if (course.do_by < 0) return "";
+    for (std::size_t next = k + 1; next < state.orders.size(); ++next) {
+        const OrderCourse& other = state.orders[next];
+        const exercise::BridgeOrderGiven& given = lesson.orders[next].given;
+        const bool is_next = other.given > course.given && !is_question(given.code) &&
+                             given.code != exercise::BridgeOrderCode::text &&
+                             given.side == lesson.orders[k].given.side;
+        if (is_next && other.given < course.do_by)
+            return " before the bridge ordered " + order_of(lesson, next) + " at " + clock(other.given, rate);
+    }
+    if (state.ended < course.do_by) return " before the lesson ended at " + clock(state.ended, rate);
+    return " within " + seconds(course.do_by - course.given, rate);
+}
+
+/// What was wrong with how one order went; empty: nothing.
+std::string order_faults(const Lesson& lesson, const State& state, std::size_t k, int rate) {
+    const LessonOrder& order = lesson.orders[k];
+    const OrderCourse& course = state.orders[k];
+    const bool over = state.ending != Ending::none;
     std::string text;
     const double repeat = repeat_within(order.given);
     if (course.misrepeated) text = "repeated back wrongly";
     if (repeat > 0 && course.repeated < 0 && over)
-        join(text, ", and then ", "not repeated back within " + number(repeat) + " s");
+        join(text, ", and then ",
+             "not repeated back " + (state.ended - course.given < std::llround(repeat * rate)
+                                         ? "before the lesson ended at " + clock(state.ended, rate)
+                                         : "within " + number(repeat) + " s"));
     if (course.repeated >= 0 && !course.in_time)
         join(text, ", and then ",
              "repeated back after " + late_seconds(course.repeated - course.given, rate) +
@@ -356,7 +381,7 @@ std::string order_faults(const LessonOrder& order, const OrderCourse& course, bo
         const std::array sides{" by port", " by starboard"};
         for (std::size_t k = 0; order.done.size() > 1 && k < order.done.size(); ++k)
             if (course.each_done.at(k) < 0) text += sides.at(static_cast<std::size_t>(order.done[k].side));
-        text += within;
+        text += not_done_until(lesson, state, k, rate);
     }
     return text;
 }
@@ -374,7 +399,7 @@ std::string order_words(const Lesson& lesson, const State& state, const Criterio
                      " not given, since more cable was reported than was out");
         if (course.given < 0 || course.challenged >= 0) continue;
         ++given;
-        const std::string faults = order_faults(lesson.orders[k], course, over, rate);
+        const std::string faults = order_faults(lesson, state, k, rate);
         if (!faults.empty())
             join(text, ". ", clock(course.given, rate) + " " + order_of(lesson, k) + " " + faults);
     }
@@ -512,6 +537,8 @@ std::string report_words(const Lesson& lesson, const State& state, std::size_t k
                     ? clock(mark.since, rate) + " it was so: "
                     : "") +
                "\"" + code + "\" wanted, not reported" + (mark.decided < 0 ? " yet" : "");
+        if (criterion.truth == ReportTruth::state && mark.outside > 0)
+            text += " then; said at " + clock(mark.outside, rate) + ", before it was asked for";
     }
     return text;
 }

@@ -67,7 +67,8 @@ struct Mark {
     int milli = 0;             ///< 0..1000
     std::int64_t decided = -1; ///< tick; -1: not yet
     std::int64_t began = -1;   ///< when it came into play
-    std::int64_t outside = 0;  ///< ticks beyond the limit
+    std::int64_t outside = 0; ///< ticks beyond the limit; report of a state: at which it was last said before
+                              ///< it was asked for, 0: it was not
     std::int64_t since = -1; ///< when it went beyond, the last report came, or what is to be reported came to
                              ///< be so; final: since it is as it is; report of orders: of a wrong one before
                              ///< the first of them

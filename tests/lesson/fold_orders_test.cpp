@@ -155,6 +155,45 @@ TEST(Assessment, OrderThatIsNeverRepeatedSaysSo) {
                                     "carried out after 1 s: 40 % of its points lost");
 }
 
+// Nobody had the time that the order gives him: it is told how far it came.
+TEST(Assessment, OrderThatHadNotItsTimeSaysUntilWhenItWasNotCarriedOut) {
+    const auto reason = [](double next, double end) {
+        Course course(lesson(R"({"id": "o", "kind": "order", "orders": "walk"})",
+                             R"(, "orders": [{"id": "walk", "code": "walk_out", "value": 33},
+                                {"id": "let-go", "code": "let_go", "when": {"time": )" +
+                                 std::to_string(next) + "}}]"));
+        course.run(1);
+        const auto give = [&](int number) {
+            course.seen().bridge_orders.push_back(
+                {.number = number,
+                 .time = course.seen().time,
+                 .do_by = course.seen().time + 100,
+                 .given = std::get<exercise::BridgeOrderGiven>(course.due.back()),
+                 .state = exercise::BridgeOrderState::repeated});
+        };
+        give(1);
+        course.run(next + 0.5 - 1);
+        if (course.due.size() > 1) give(2);
+        course.run(end - next - 0.5);
+        course.end();
+        return course.mark().reason;
+    };
+    EXPECT_NE(reason(60, 70).find("not carried out before the bridge ordered \"let go port anchor\" at 1:00"),
+              std::string::npos)
+        << reason(60, 70);
+    EXPECT_NE(reason(120, 130).find("not carried out within 100 s"), std::string::npos) << reason(120, 130);
+    EXPECT_NE(reason(500, 510).find("not carried out within 100 s"), std::string::npos) << reason(500, 510);
+    Course ended(lesson(R"({"id": "o", "kind": "order", "orders": "in"})",
+                        R"(, "orders": [{"id": "in", "code": "gear_in"}])"));
+    ended.windlass().clutch = exercise::ClutchState::out;
+    ended.run(1);
+    give_first(ended, exercise::BridgeOrderState::repeated, 101);
+    ended.run(49);
+    ended.end();
+    EXPECT_NE(ended.mark().reason.find("not carried out before the lesson ended at 0:50"), std::string::npos)
+        << ended.mark().reason;
+}
+
 // He who says nothing to it has not shown that he heard it.
 TEST(Assessment, OrderForWhatIsSoAlreadyEarnsNothingByItself) {
     Course course(lesson(R"({"id": "o", "kind": "order", "orders": "in"})",

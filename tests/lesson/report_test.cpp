@@ -439,6 +439,23 @@ TEST(Reports, ThatNobodyAskedForAreToldWhereTheyWereFalseAndCostNothing) {
     EXPECT_EQ(course.mark().state, before.state);
 }
 
+// To an order he answers, also where he has said it before; that he did is told.
+TEST(Reports, OfAStateThatWereMadeBeforeTheyWereAskedForAreToldAndDoNotCount) {
+    Course course(reporting("secured", R"(, "from": {"shackles": 3})"));
+    course.windlass().brake_position = 1;
+    course.windlass().stopper_closed = true;
+    course.windlass().clutch = exercise::ClutchState::out;
+    course.run(5);
+    course.report(ReportCode::secured);
+    course.run(10);
+    course.chain().cable_out = 4 * 27.5;
+    course.run(5);
+    course.end();
+    EXPECT_EQ(course.mark().milli, 0);
+    EXPECT_EQ(course.mark().reason, "0:15 it was so: \"secured\" wanted, not reported then; said at 0:05, "
+                                    "before it was asked for: all of its points lost");
+}
+
 // Who hears "secured" relies on it, asked for or not.
 TEST(Reports, ThatSheIsSecuredAreFalseCallsBeforeTheyAreAskedForAndAfterThem) {
     constexpr auto kAsked = R"(, "from": {"shackles": 3})";
