@@ -16,7 +16,7 @@ constexpr std::string_view kAids = "practice/"; // no criterion's code has a str
 constexpr std::array<std::string_view, 3> kKinds{"ghost", "hint", "told"};
 constexpr std::array<std::string_view, 6> kLevers{"brake", "speed", "clutch", "stopper", "engine", "rudder"};
 constexpr std::array<std::string_view, 2> kSides{"port", "starboard"};
-constexpr std::string_view kNothingLost = "nothing-lost", kNoneKnown = "none-known";
+constexpr std::string_view kNothingLost = "nothing-lost", kNoneKnown = "none-known", kNotFound = "not-found";
 
 /// Up to the next stroke, which goes too.
 std::string_view take_part(std::string_view& text) {
@@ -74,6 +74,10 @@ std::optional<AidWord> read_aid(const AnswerGiven& answer) {
         return word;
     }
     if (rest == kNothingLost) return word;
+    if (rest == kNotFound) {
+        word.found = false;
+        return word;
+    }
     word.criterion = answer.choice;
     if (rest == kNoneKnown) return word;
     word.lever = lever_of(rest);
@@ -92,6 +96,7 @@ AnswerGiven write_aid(const AidWord& word) {
     if (word.kind != AidKind::told) return answer;
     answer.choice = std::max(word.criterion, 0);
     answer.question += '/' + (word.lever           ? name_of(*word.lever)
+                              : !word.found        ? std::string(kNotFound)
                               : word.criterion < 0 ? std::string(kNothingLost)
                                                    : std::string(kNoneKnown));
     if (!word.lever) return answer;
@@ -122,6 +127,7 @@ void take_aid(const Lesson& lesson, State& state, const AidWord& word) {
     }
     case AidKind::told:
         state.hint_asked.at(seat) = -1;
+        if (!word.found) return;
         aid.criterion = word.criterion;
         aid.lever = word.lever ? static_cast<int>(word.lever->kind) : -1;
         aid.side = word.lever ? static_cast<int>(word.lever->side) : 0;
@@ -131,22 +137,38 @@ void take_aid(const Lesson& lesson, State& state, const AidWord& word) {
     if (state.aids.size() < kMostAids) state.aids.push_back(aid);
 }
 
-std::string told_words(const AidWord& word, bool two_sides) {
-    if (word.lever)
-        return capital(lever_words(*word.lever, two_sides)) + ' ' + value_words(*word.lever, word.value) +
-               " now.";
-    if (word.criterion < 0) return "Nothing is lost in the next minute if everything stays as it is.";
-    return "No single lever is known that would keep what is being lost.";
+namespace {
+
+std::string lost_words(const Criterion& criterion) {
+    if (criterion.kind == CriterionKind::order) return "orders, repeated back and carried out in time";
+    return criterion.text.empty() ? criterion.id : criterion.text;
 }
 
-std::string told_words(const AidTaken& aid, bool two_sides) {
+} // namespace
+
+std::string told_words(const AidWord& word, const Lesson& lesson) {
+    if (word.lever)
+        return capital(lever_words(*word.lever, lesson.two_sides)) + ' ' +
+               value_words(*word.lever, word.value) + " now.";
+    if (!word.found) return "There was no time to find out what is being lost: ask again.";
+    if (word.criterion < 0)
+        return "Nothing that a lever keeps is lost in the next minute if everything stays as it is.";
+    return "No single lever is known that would keep what is being lost: " +
+           lost_words(lesson.criteria.at(static_cast<std::size_t>(word.criterion)));
+}
+
+std::string told_words(const AidTaken& aid, const Lesson& lesson) {
     if (aid.kind == AidKind::ghost)
         return "The model's hands were shown over the trainee's own levers from here on.";
     AidWord word{
         .kind = aid.kind, .forecastle = aid.forecastle, .value = aid.value, .criterion = aid.criterion};
     if (aid.lever >= 0)
         word.lever = Lever{static_cast<LeverKind>(aid.lever), static_cast<exercise::Side>(aid.side)};
-    return told_words(word, two_sides);
+    return told_words(word, lesson);
+}
+
+bool helps(const AidTaken& aid) {
+    return aid.kind != AidKind::told || aid.lever >= 0;
 }
 
 } // namespace windlass::assess

@@ -20,7 +20,8 @@ inline constexpr std::array<std::string_view, 2> kSeatNames{"forecastle", "bridg
 
 /// What such an answer says. Its question is "practice/ghost/SEAT" (a choice: 1 on, 0 off),
 /// "practice/hint/SEAT" (a choice), or of the server "practice/told/SEAT/..." and the lever's name (a number:
-/// where it is to go; the choice: place of the criterion that it keeps), "nothing-lost" or "none-known".
+/// where it is to go; the choice: place of the criterion that it keeps), "nothing-lost", "none-known" (the
+/// choice: of what is being lost) or "not-found".
 struct AidWord {
     AidKind kind = AidKind::hint;
     bool forecastle = true;       ///< whose it is; false: the bridge's
@@ -28,6 +29,7 @@ struct AidWord {
     std::optional<Lever> lever{}; ///< told: that is to be moved; nothing: there is none to be told
     double value = 0;             ///< told: where it is to go
     int criterion = -1;           ///< told: place in the lesson's; -1: none is lost
+    bool found = true;            ///< told: false: there was no time to find out what is being lost
 };
 
 /// Whether an answer is none to a lesson's question, but to one of these.
@@ -43,8 +45,11 @@ void take_aid(const Lesson& lesson, State& state, const AidWord& word);
 bool may_have_ghost(const Lesson& lesson);
 
 /// What the seat reads: "The port wheel hard on now."
-std::string told_words(const AidWord& word, bool two_sides);
+std::string told_words(const AidWord& word, const Lesson& lesson);
 /// The same of what the record has; of the ghost that it was shown.
-std::string told_words(const AidTaken& aid, bool two_sides);
+std::string told_words(const AidTaken& aid, const Lesson& lesson);
+
+/// Whether it helped: one that knows of no lever is no hint to be counted.
+bool helps(const AidTaken& aid);
 
 } // namespace windlass::assess

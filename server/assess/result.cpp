@@ -263,14 +263,16 @@ std::vector<HintResult> hints_given(const Lesson& lesson, const State& state) {
                        .forecastle = hint.forecastle,
                        .text = hint.say});
     }
-    for (const AidTaken& aid : state.aids)
+    for (const AidTaken& aid : state.aids) {
+        if (!helps(aid)) continue;
         all.push_back({.tick = wire_tick(aid.tick),
                        .id = aid.kind == AidKind::ghost ? "ghost" : "asked for",
                        .criterion = aid.lever < 0 || aid.criterion < 0
                                         ? ""
                                         : lesson.criteria[static_cast<std::size_t>(aid.criterion)].id,
                        .forecastle = aid.forecastle,
-                       .text = told_words(aid, lesson.two_sides)});
+                       .text = told_words(aid, lesson)});
+    }
     std::ranges::stable_sort(all, {}, &HintResult::tick);
     if (all.size() > kMostAids) all.resize(kMostAids);
     return all;

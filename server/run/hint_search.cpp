@@ -55,8 +55,10 @@ HintSearch::HintSearch(const std::vector<std::uint8_t>& checkpoint, bool forecas
     const assess::State& state = course.assessor().state();
     for (std::size_t k = 0; k < lesson_.criteria.size(); ++k) {
         const assess::Criterion& criterion = lesson_.criteria[k];
-        open_.push_back(criterion.kind != CriterionKind::rubric &&
-                        criterion.kind != CriterionKind::question && criterion.weight > 0 &&
+        // What is said no lever keeps.
+        const bool is_said =
+            criterion.kind == CriterionKind::question || criterion.kind == CriterionKind::report;
+        open_.push_back(criterion.kind != CriterionKind::rubric && !is_said && criterion.weight > 0 &&
                         assess::verdict(lesson_, state, k, goal(k)) != false);
     }
     begin(std::nullopt, 0);
@@ -232,7 +234,7 @@ void HintSearch::tell(const Move& move) {
 void HintSearch::give_up() {
     // What keeps it is known, only not how little would.
     if (part_ == Part::smaller || part_ == Part::later) return tell(best_);
-    if (part_ == Part::as_it_is) found_.criterion = 0; // not that nothing is lost
+    if (part_ == Part::as_it_is) found_.found = false; // not that nothing is lost
     part_ = Part::done;
 }
 

@@ -145,7 +145,7 @@ void Session::tell_hint(const assess::AidWord& told) {
     apply(assess::write_aid(told), kServerName);
     instructed_.at(seat) = true;
     log(told.forecastle ? words::EventCode("hint.forecastle") : words::EventCode("hint.bridge"),
-        assess::told_words(told, assessor_.lesson()->two_sides),
+        assess::told_words(told, *assessor_.lesson()),
         told.lever && !told.lever->of_helm() ? static_cast<int>(told.lever->side) : -1);
     new_assessment_ = assessor_.result();
     tell_aids();

@@ -222,6 +222,35 @@ TEST_F(SessionAids, HintOfWhatIsDoneAlreadyIsNotToldAndAnotherIsLookedFor) {
     EXPECT_FALSE(session.hint_wanted());
 }
 
+// It says what is being lost, and is none to be counted: it helps with nothing.
+TEST_F(SessionAids, HintThatKnowsOfNoLeverSaysWhatIsBeingLostAndIsNotCounted) {
+    Session session(def(), options());
+    const auto told = [&](const AidWord& word) {
+        EXPECT_EQ(refusal(session, ask(AidKind::hint)), "");
+        session.clear_news();
+        session.tell_hint(word);
+        EXPECT_FALSE(session.hint_wanted());
+        return text_of(session, "hint.forecastle");
+    };
+    EXPECT_EQ(told({.kind = AidKind::told, .forecastle = true, .criterion = 0}),
+              "No single lever is known that would keep what is being lost: pace");
+    EXPECT_EQ(told({.kind = AidKind::told, .forecastle = true}),
+              "Nothing that a lever keeps is lost in the next minute if everything stays as it is.");
+    EXPECT_EQ(told({.kind = AidKind::told, .forecastle = true, .found = false}),
+              "There was no time to find out what is being lost: ask again.");
+    EXPECT_TRUE(session.assessor().result().hints.empty());
+}
+
+// What is said no lever keeps: a report that is missed is nothing to be looked for.
+TEST_F(SessionAids, HintLooksForNoReport) {
+    exercise::ExerciseDef said = def();
+    said.lesson = R"({"id": "T", "practice": true, "criteria": [{"id": "drags", "kind": "report",)"
+                  R"( "report": "brake_does_not_hold", "truth": {"time": 1}, "full": 5, "half": 10}]})";
+    Session session(said, options());
+    run(session, 0.5);
+    EXPECT_EQ(search(session).criterion, -1);
+}
+
 TEST_F(SessionAids, HintsInAnAttemptHaveAnEnd) {
     Session session(def(), options());
     int given = 0;

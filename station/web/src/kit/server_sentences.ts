@@ -23,8 +23,9 @@ const hints = ["", "port ", "starboard "].flatMap((side) => [
   `The ${side}stopper off now.`,
 ]);
 const noHint = [
-  "Nothing is lost in the next minute if everything stays as it is.",
-  "No single lever is known that would keep what is being lost.",
+  "Nothing that a lever keeps is lost in the next minute if everything stays as it is.",
+  "No single lever is known that would keep what is being lost: {0}",
+  "There was no time to find out what is being lost: ask again.",
 ];
 
 /** What the model has counted of its steps, within other sentences; {1} lists how many of each kind. */

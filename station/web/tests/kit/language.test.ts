@@ -33,6 +33,7 @@ const kTranslated = [
   ["port windlass", "starboard windlass", "helm", "is not at the levers", "is not heard any more", "its last hand"],
   ["speed lever at zero; brake, clutch and stopper as they were", "the helm's levers stay as they are"],
   ["instructor", "assessor", "observer", "owner"],
+  ["orders, repeated back and carried out in time"], // of a hint
 ].flat();
 
 const catalogue: Readonly<Record<string, string>> = german;
