@@ -227,11 +227,20 @@ void AttemptReader::add(const BridgeOrder& order) {
 
 void AttemptReader::add(const Prediction& prediction) {
     constexpr double kApart = 10; // s: predictions come every 2 s, the later the busier the machine
-    if (!ours(prediction.run()) || prediction.moments().empty()) return;
+    constexpr double kReach = 60; // s that the last one goes, and is shown for
+    constexpr double kJoined = 1; // s between two periods that are one
+    if (!ours(prediction.run())) return;
     const double now = prediction.time();
-    if (attempt_.ahead.empty() || now - attempt_.ahead.back().second > kApart)
+    if (prediction.state() == PREDICTION_OFF) {
+        if (sees_ahead_) attempt_.ahead.back().second = std::min(now, attempt_.ahead.back().second + kReach);
+        sees_ahead_ = false;
+    }
+    if (prediction.moments().empty()) return;
+    // However rarely they come: until they are switched off the newest one is shown.
+    if (attempt_.ahead.empty() || (!sees_ahead_ && now - attempt_.ahead.back().second >= kJoined))
         attempt_.ahead.emplace_back(now, now);
-    attempt_.ahead.back().second = now;
+    sees_ahead_ = true;
+    attempt_.ahead.back().second = std::max(now, attempt_.ahead.back().second);
     for (const Event& event : prediction.events()) {
         const auto told = std::ranges::find_if(attempt_.foreseen, [&](const Foreseen& each) {
             return each.event.code() == event.code() && each.event.side() == event.side() &&

@@ -66,7 +66,8 @@ private:
     std::optional<HelmCommand> helm_;
     Stroke helm_stroke_;
     double ship_ = -1e9, air_ = -1e9;
-    double interval_; ///< s, of the series
+    bool sees_ahead_ = false; // predictions are shown, and have not been switched off
+    double interval_;         ///< s, of the series
 };
 
 } // namespace windlass::debrief

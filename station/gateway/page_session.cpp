@@ -63,9 +63,22 @@ void PageSession::open() {
 
 void PageSession::close() {
     if (!std::exchange(open_, false)) return;
+    look_ahead_no_more();
     FoxgloveSession::close();
     host_.forget(*this);
     desk_->leave(this);
+}
+
+/// Whoever has left the desk sees no prediction: none is made for him, and the record says of none that he
+/// saw it.
+void PageSession::look_ahead_no_more() {
+    if (!std::exchange(looks_ahead_, false)) return;
+    try {
+        desk_->give(wire::topics::exercise_command, {{"action", "EXERCISE_PREDICT"}, {"predict", false}},
+                    name_);
+    } catch (const std::exception& error) { // its server is gone: nothing is predicted there
+        host_.log(error.what());
+    }
 }
 
 void PageSession::tell_hello(const json& hello) {
@@ -184,6 +197,9 @@ void PageSession::order(const json& message) {
     const json sample = value(message, "sample");
     if (!host_.order_classroom(*topic, sample, name_)) desk_->give(*topic, sample, name_);
     host_.tell_given(*this, topic->name);
+    if (topic->name == std::string_view(wire::topics::exercise_command.name) &&
+        value(sample, "action") == "EXERCISE_PREDICT")
+        looks_ahead_ = value(sample, "predict") == true;
     acted_ = now();
     tell_sent(value(message, "id"));
 }

@@ -54,6 +54,7 @@ private:
     void wind_sea(const nlohmann::json& message);
     void watch_classroom(const nlohmann::json& message);
     void camera(const nlohmann::json& message);
+    void look_ahead_no_more();
 
     PageHost& host_;
     std::shared_ptr<PageDesk> desk_;
@@ -63,6 +64,7 @@ private:
     Clock::time_point opened_ = Clock::now();
     std::optional<Clock::time_point> acted_;
     bool watches_classroom_ = false;
+    bool looks_ahead_ = false; // by its word predictions are made
     bool open_ = true;
 };
 

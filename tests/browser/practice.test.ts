@@ -116,7 +116,8 @@ test("switched off they are gone", async () => {
 test("a hint is searched for, and stands in the picture; in German in German", async () => {
   await practice(deck).getByRole("button", { name: "Hint" }).click();
   const hint = (page: TestPage) => page.locator(".hint span");
-  const known = /^(The .* now\.|Nothing that a lever keeps is lost .*|No single lever is known .*|There was no time .*)$/;
+  const known =
+    /^(The .* now\.|Nothing that a lever keeps is lost .*|No single lever is known .*|There was no time .*)$/;
   await eventually("an answer", async () => known.test((await hint(deck).textContent()) ?? ""));
   await eventually("in German", async () =>
     /^(Jetzt .*\.|Bleibt alles, wie es ist, .*|Mit einem Hebel allein .*|Die Zeit reichte nicht, .*)$/.test(

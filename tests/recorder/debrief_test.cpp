@@ -441,6 +441,7 @@ TEST(DebriefTest, WhatTheInstructorWasShownAheadIsTold) {
     const auto predict = [&](double time, double of_event) {
         Prediction prediction;
         prediction.time(time);
+        prediction.state(PREDICTION_WHOLE);
         prediction.moments().emplace_back();
         if (of_event > 0) {
             Event& event = prediction.events().emplace_back();
@@ -454,9 +455,20 @@ TEST(DebriefTest, WhatTheInstructorWasShownAheadIsTold) {
     predict(20, 0);
     predict(22, 61);
     predict(24, 62);
+    const auto off = [&](double time) {
+        Prediction prediction;
+        prediction.time(time);
+        prediction.state(PREDICTION_OFF);
+        reader.add(prediction);
+    };
+    predict(48, 0); // on a machine that is busy they come rarely
+    off(50);
+    predict(50.2, 0);
+    off(50.4);
     predict(70, 95); // asked for again later
+    off(72);
     const std::string page = page_of(attempt, {});
-    EXPECT_THAT(page, HasSubstr("Predictions were shown from 0:20 to 0:24, from 1:10 to 1:10"));
+    EXPECT_THAT(page, HasSubstr("Predictions were shown from 0:20 to 0:50, from 1:10 to 1:12"));
     ASSERT_EQ(attempt.foreseen.size(), 2U);
     EXPECT_EQ(attempt.foreseen[0].told, 22);
     EXPECT_EQ(attempt.foreseen[0].last_told, 24);

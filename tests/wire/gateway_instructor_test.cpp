@@ -153,6 +153,12 @@ TEST_F(InstructorStation, SeesAMinuteAheadWhereItAsksAndWhatItSawIsRecorded) {
     ASSERT_TRUE(eventually([&] { return newest().state() == PREDICTION_OFF; }));
     EXPECT_THAT(newest().moments(), IsEmpty());
     EXPECT_THAT(trainee.heard(), testing::Not(testing::Contains("Prediction")));
+    {
+        PageClient leaves(desk->address);
+        give(leaves, "ExerciseCommand", {{"action", "EXERCISE_PREDICT"}, {"predict", true}});
+        ASSERT_TRUE(eventually([&] { return newest().state() != PREDICTION_OFF; }));
+    }
+    EXPECT_TRUE(eventually([&] { return newest().state() == PREDICTION_OFF; })) << "he has left the desk";
 
     teacher.say({{"op", "record"}, {"id", 2}, {"on", false}});
     ASSERT_TRUE(eventually([&] { return teacher.told("hello").back()["recording"].is_null(); }));
