@@ -7,8 +7,10 @@
 #include "server/keep/kept_exercise.hpp"
 #include "server/keep/take_up.hpp"
 #include "server/run/prediction.hpp"
+#include "sim/answers.hpp"
 #include "sim/checks.hpp"
 #include "sim/disk.hpp"
+#include "sim/drawn_exercise.hpp"
 #include "sim/hands.hpp"
 #include "sim/pages.hpp"
 #include "sim/recorder.hpp"
@@ -36,6 +38,7 @@ constexpr std::size_t kMemory = 256 << 20;           // bytes
 constexpr double kMemoryEvery = 5; // s: the allocator goes through all that is free to tell what is not
 constexpr std::uint64_t kFirstRun = 1'800'000'000'000;      // ms since 1970
 constexpr std::uint64_t kRecordersOwn = 0x7265636f72646572; // chance
+constexpr std::uint64_t kAnswersOwn = 0x616e7377657273;     // the same
 constexpr double kHangs =
     10; // s, in which a server must have ended that is to begin anew, as workers::supervise
 
@@ -54,6 +57,14 @@ std::size_t attempts(SimDisk& disk) {
         }
     }
     return 0;
+}
+
+exercise::ExerciseDef exercise_of(const Plan& plan) {
+    if (plan.def) return *plan.def;
+    const bool asks =
+        plan.sabotage == Sabotage::question_untold || plan.sabotage == Sabotage::question_passed_over;
+    exercise::ExerciseDef drawn = drawn_exercise(plan.seed);
+    return asks || draws_questions(plan.seed) ? with_questions(std::move(drawn)) : drawn;
 }
 
 /// A prediction that is being made, or was.
@@ -89,6 +100,7 @@ class Centre {
 public:
     explicit Centre(const Plan& plan)
         : plan_(plan),
+          def_(exercise_of(plan)),
           world_(plan.sabotage == Sabotage::chance ? plan.seed ^ reinterpret_cast<std::uintptr_t>(this) ^
                                                          static_cast<std::uint64_t>(clock())
                                                    : plan.seed,
@@ -96,11 +108,12 @@ public:
           disk_(world_),
           network_(world_),
           checks_(world_),
-          hands_(world_, network_, plan.def.tackle.size()),
+          hands_(world_, network_, plan.seed, def_.tackle.size()),
+          answers_(world_, network_, plan.seed ^ kAnswersOwn),
           pages_(world_, network_, plan.seed, plan.sabotage),
           anew_(~plan.seed),
           recorder_(world_, plan.seed ^ kRecordersOwn, plan.sabotage),
-          end_(static_cast<std::uint64_t>(plan.minutes * 60 * plan.def.tick_rate_hz)) {}
+          end_(static_cast<std::uint64_t>(plan.minutes * 60 * def_.tick_rate_hz)) {}
 
     Outcome run();
 
@@ -129,11 +142,13 @@ private:
     }
 
     const Plan& plan_;
+    const exercise::ExerciseDef def_;
     World world_;
     SimDisk disk_;
     Network network_;
     Checks checks_;
     Hands hands_;
+    Answers answers_;
     Pages pages_;
     Chance anew_; // of its own, so that a seed without a server that begins anew is what it was before there
                   // were such
@@ -163,8 +178,7 @@ void Centre::start() {
     if (chance.in(0.1)) disk_.lose_in(1 + chance.below(12), chance.in(0.5) ? Loss::killed : Loss::power_cut);
     const auto taken = keep::take_up(
         kFolder, kId, kAside,
-        {.definition_hash = exercise::definition_hash(plan_.def), .check = {}, .running = chance.in(0.3)},
-        disk_);
+        {.definition_hash = exercise::definition_hash(def_), .check = {}, .running = chance.in(0.3)}, disk_);
     run::SessionOptions options;
     options.fault_folder = "/dev/null/none";
     options.seed = chance.bits();
@@ -182,7 +196,7 @@ void Centre::start() {
                             how.refused.empty() ? "" : ", refused: " + how.refused,
                             how.set_back.empty() ? "" : ", set back: " + how.set_back, how.attempts));
     lost_setting_back_ = false;
-    server_.emplace(world_, disk_, taken && taken->def ? *taken->def : plan_.def, options);
+    server_.emplace(world_, disk_, taken && taken->def ? *taken->def : def_, options);
     checks_.begins(server_->session, how);
     recorder_.server_begins();
     lost_by_ = Loss::killed;
@@ -312,6 +326,11 @@ void Centre::tick() {
         server.inbox.orders.push_back(
             {"anna", exercise::Order(exercise::WindlassOrder{.brake = 0.123}), true});
     }
+    if (sabotage && plan_.sabotage == Sabotage::question_passed_over && session.held()) {
+        run::Inbox start;
+        start.orders.push_back({"nobody", run::RunOrder{}, true});
+        session.carry_out(start, now);
+    }
     session.carry_out(server.inbox, now);
     session.tick((session.now_tick() + 1) % 3 == 0);
     server.kept.look(session);
@@ -323,7 +342,11 @@ void Centre::tick() {
     }
     checks_.sabotage_order = sabotage && plan_.sabotage == Sabotage::order_altered;
     checks_.sabotage_marks = sabotage && plan_.sabotage == Sabotage::marks_altered;
+    checks_.sabotage_taking = sabotage && plan_.sabotage == Sabotage::taking_altered;
+    checks_.sabotage_question = plan_.sabotage == Sabotage::question_untold;
     checks_.look(session, server.inbox, now, server.kept.trouble());
+    for (const run::QuestionView& question : session.questions())
+        answers_.tell(question);
     recorder_.hear(session);
     pages_.tell(session, life_);
     session.clear_news();
@@ -454,12 +477,18 @@ Outcome Centre::run() {
         outcome_.failed = {{"server", "nothing is thrown", error.what()}, checks_.tick(), world_.now()};
     }
     outcome_.ticks = checks_.seen();
+    outcome_.exercised = static_cast<double>(checks_.seen()) / def_.tick_rate_hz;
     outcome_.simulated = world_.now();
+    const Checks::Counts& counts = checks_.counts();
+    outcome_.takings = counts.takings;
+    outcome_.questions = counts.questions, outcome_.answered = counts.answered;
+    outcome_.passed_over = counts.passed_over, outcome_.stood_again = counts.stood_again;
     outcome_.digest = checks_.digest() ^ pages_.digest();
     outcome_.recordings = recorder_.recordings();
     outcome_.recorder_kills = recorder_.kills();
     outcome_.pages = pages_.opened();
     outcome_.sent_away = pages_.sent_away();
+    outcome_.taken = pages_.taken();
     outcome_.stations = pages_.killed();
     return outcome_;
 }

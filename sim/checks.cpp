@@ -1,6 +1,7 @@
 #include "sim/checks.hpp"
 
 #include "server/exercise/checkpoint.hpp"
+#include "server/run/questions.hpp"
 #include "words/words.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -16,6 +17,7 @@ using run::AlertCondition;
 
 constexpr std::uint64_t kMarkEvery = 30; // ticks
 constexpr double kMoved = -1;            // s: a lever that lay there, and was moved since
+constexpr std::array<const char*, 2> kSeats{"forecastle", "bridge"};
 
 std::array<double, 5> values_of(const exercise::Order& order) {
     if (const auto* windlass = std::get_if<exercise::WindlassOrder>(&order))
@@ -140,37 +142,70 @@ void Checks::hold_against(Line& line) {
     }
 }
 
-/// Whether the first so many orders of the line, and those behind them, make that state.
-bool Checks::comes_to(Line& line, std::size_t orders, const State& state) {
-    const auto& [tick, hash, behind, assessment] = state;
-    if (behind.empty()) {
-        go_through(line, tick, orders);
-    } else {
-        Line beside;
-        beside.number = ++line_number_, beside.def = line.def, beside.assessor = line.assessor;
-        beside.orders.assign(line.orders.begin(), line.orders.begin() + static_cast<std::ptrdiff_t>(orders));
-        beside.orders.insert(beside.orders.end(), behind.begin(), behind.end());
-        go_through(beside, tick, beside.orders.size());
-    }
-    const run::Course& course = undisturbed_->course;
-    return course.exercise().tick() == tick && course.state_hash() == hash &&
-           (!assessment || !line.assessor || assessment_of(course.assessor()) == *assessment);
+/// Whether that is the state; where there was a lesson as it began, with its marks.
+bool Checks::is(const run::Course& course, const Line& line, const State& state) {
+    return course.exercise().tick() == state.tick && course.state_hash() == state.hash &&
+           (!state.assessment || !line.assessor || assessment_of(course.assessor()) == *state.assessment);
+}
+
+/// The same once more, to try something with. What the undisturbed course itself goes through comes from no
+/// checkpoint: where one forgot something, a server that was taken up from it would be held against the same.
+run::Course Checks::copy_of(const run::Course& course, const Line& line) {
+    const bool lesson = line.assessor.has_value();
+    assess::Assessor assessor;
+    exercise::Exercise copy = exercise::read_checkpoint(
+        exercise::write_checkpoint(course.exercise(), lesson ? &course.assessor() : nullptr), {},
+        lesson ? &assessor : nullptr);
+    return {std::move(copy), std::move(assessor), course.orders_taken()};
 }
 
 /// With how many of the line's orders it comes to that state, at that tick or, with the orders behind them,
-/// at a later one; nothing: with no number.
+/// at a later one; nothing: with no number. The undisturbed course stands there then, with no more of that
+/// tick's orders.
 std::optional<std::size_t> Checks::orders_of(Line& line, std::uint64_t tick, const State& state) {
     const auto number = [&](auto order) { return static_cast<std::size_t>(order - line.orders.begin()); };
     const std::size_t least = number(std::ranges::lower_bound(line.orders, tick, {}, &run::OrderView::tick));
     const std::size_t most = number(std::ranges::upper_bound(line.orders, tick, {}, &run::OrderView::tick));
     const auto told = line.checkpoints.find(tick);
-    std::optional<std::size_t> found;
-    for (std::size_t orders = least; orders <= most; ++orders) {
-        if (!comes_to(line, orders, state)) continue;
-        found = orders; // the last, where levers were moved and moved back
-        if (!state.behind.empty() && told != line.checkpoints.end() && told->second == orders) break;
+    const auto last_of = [&](std::size_t orders, std::size_t last) { // where levers were moved and moved back
+        go_through(line, tick, orders);
+        std::optional<run::Course> copy; // with more of the tick's orders
+        std::optional<std::size_t> found;
+        for (;; copy->take(line.orders[orders++])) {
+            const run::Course& course = copy ? *copy : undisturbed_->course;
+            if (state.behind.empty() ? is(course, line, state) : comes_to(course, line, state)) {
+                found = orders;
+                if (!state.behind.empty() && told != line.checkpoints.end() && told->second == orders) break;
+            }
+            if (orders == last) break;
+            if (!copy) copy = copy_of(undisturbed_->course, line);
+        }
+        return found;
+    };
+    // Where the course stands among these already, as of an exercise that was lost and stands still, it need
+    // not be gone through from its beginning for those before.
+    std::size_t first = least;
+    if (state.behind.empty() && undisturbed_ && undisturbed_->line == line.number &&
+        undisturbed_->course.exercise().tick() == tick && undisturbed_->orders > least &&
+        undisturbed_->orders <= most)
+        first = undisturbed_->orders;
+    if (const auto found = last_of(first, most); found || first == least) return found;
+    return last_of(least, first - 1);
+}
+
+/// Whether the orders behind it make that state of the course.
+bool Checks::comes_to(const run::Course& course, const Line& line, const State& state) {
+    run::Course copy = copy_of(course, line);
+    const auto go_on = [&](std::uint64_t tick) {
+        while (copy.exercise().tick() < tick)
+            if (!copy.step()) return;
+    };
+    for (const run::OrderView& order : state.behind) {
+        go_on(order.tick);
+        copy.take(order);
     }
-    return found;
+    go_on(state.tick);
+    return is(copy, line, state);
 }
 
 /// The line is left there; false: it does not come to that state.
@@ -181,10 +216,11 @@ bool Checks::go_on_from(Line& line, std::uint64_t tick, const State& state) {
     std::erase_if(line.marks,
                   [&](const Line::Mark& mark) { return mark.tick > tick || mark.orders > *found; });
     std::erase_if(line.checkpoints, [&](const auto& one) { return one.first > tick || one.second > *found; });
-    if (undisturbed_->orders > *found)
-        undisturbed_.reset();
-    else
-        undisturbed_->marks = std::min(undisturbed_->marks, line.marks.size());
+    undisturbed_->marks = std::min(undisturbed_->marks, line.marks.size());
+    go_through(line, tick, *found);
+    if (state.behind.empty() && !is(undisturbed_->course, line, state))
+        fail("state", fmt::format("{:016x} at tick {}, as a copy of the course came to", state.hash, tick),
+             fmt::format("{:016x} of the course", undisturbed_->course.state_hash()));
     return true;
 }
 
@@ -219,7 +255,8 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
     event_ = 0;
     alerts_.clear();
     heard_.clear(), left_.clear(), serials_.clear(), taken_ = 0;
-    levers_ = {};
+    levers_ = {}, holders_ = {}, takings_ = {}, asked_ = {};
+    was_running_ = was_held_ = false;
     listened_ = 0, listened_at_ = 0, ran_ = false;
     tick_ = session.now_tick();
     const auto promise = promised(how.lost_by);
@@ -261,9 +298,11 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
     }
     // Where two lines come to the same state, as at their beginnings, which of them was kept cannot be told:
     // an older one that a power cut has brought back has its own losses counted.
+    auto here_undisturbed = std::exchange(undisturbed_, std::nullopt);
     for (auto older = lines_.begin(); older != std::prev(lines_.end()); ++older)
         if (older->losses() > line().losses() && orders_of(*older, tick_, state))
             line().starts = older->starts, line().left = older->left;
+    undisturbed_ = std::move(here_undisturbed);
     const Place here = place();
     if (promise && how.set_back.empty() && !how.rotten && !how.set_back_before &&
         (promise->line > here.line || (promise->line == here.line && before(here, *promise))))
@@ -274,6 +313,7 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
     }
     line().ended = false;
     branch(session, tick_);
+    hold_questions_again(session);
 }
 
 /// A course goes on beside the line, from somewhere on it; a server that is lost may come back to the line.
@@ -379,7 +419,11 @@ void Checks::look(const run::Session& session, const run::Inbox& inbox, double n
     if (inbox.orders.size() + inbox.refusals.size() > 1024 + 32)
         fail("memory", "1024 samples a tick at most", std::to_string(inbox.orders.size()));
     leave_out_what_was_not_taken(inbox);
+    run_began_ = false;
     look_at_orders(session);
+    look_at_takings(session);
+    look_at_answers(session, inbox);
+    look_at_questions(session, inbox);
     if (const auto* checkpoint = session.checkpoint())
         line().checkpoints[checkpoint->tick] = run_base_ + checkpoint->orders_taken;
     for (Levers& levers : levers_) // behind what they sent
@@ -423,6 +467,8 @@ void Checks::look_at_orders(const run::Session& session) {
     const auto begin_run = [&] {
         run_ = session.status().run;
         forget_hands();
+        holders_ = {}, takings_ = {};
+        run_began_ = true;
         ran_ = false;
         world_.tell(fmt::format("run {} begins at tick {}", run_, session.now_tick()));
         const run::CheckpointView* base = session.checkpoint();
@@ -430,6 +476,11 @@ void Checks::look_at_orders(const run::Session& session) {
             fail("kept", "a checkpoint at the beginning of each run", "none");
         // Of the checkpoints since the last look the newest is told: it may have orders of the run in it.
         State state{.tick = base->tick, .hash = base->state_hash};
+        if (session.assessor().assesses()) { // an answer is in no other part of the state
+            assess::Assessor assessor;
+            exercise::read_checkpoint(base->data, {}, &assessor);
+            state.assessment = assessment_of(assessor);
+        }
         std::ranges::copy_if(session.orders(), std::back_inserter(state.behind),
                              [&](const run::OrderView& order) {
                                  return order.run == run_ && order.number <= base->orders_taken;
@@ -445,7 +496,7 @@ void Checks::look_at_orders(const run::Session& session) {
             begin_line(session);
         else
             leave_line();
-        if (!(set_up ? begins_at == 0 && comes_to(line(), 0, state) : go_on_from(line(), begins_at, state)))
+        if (!(set_up ? begins_at == 0 && orders_of(line(), 0, state) : go_on_from(line(), begins_at, state)))
             fail("state", fmt::format("that of the undisturbed course at tick {}", base->tick),
                  fmt::format("{:016x} after a {}", base->state_hash, set_up ? "reset" : "restore"));
         branch(session, begins_at);
@@ -481,6 +532,7 @@ void Checks::look_at_levers(const run::OrderView& order, double) {
         if (ordered != left) fail("levers", "the server moves no lever but the speed lever, to zero", name);
         levers.at = ordered;
         levers.source.clear();
+        holders_.at(static_cast<std::size_t>(group)).clear();
         return;
     }
     // Taken in the order in which they came; some were not heard, as an instructor had the levers.
@@ -521,6 +573,10 @@ void Checks::look_at_levers(const run::OrderView& order, double) {
     levers.moved = sent->moved_at;
     levers.at = ordered;
     levers.source = order.source;
+    std::string& holder = holders_.at(static_cast<std::size_t>(group));
+    if (holder != order.source)
+        takings_.at(static_cast<std::size_t>(group))
+            .push_back({order.source, std::exchange(holder, order.source)});
     levers.instructor = sent->instructor && !left_.contains(sent->writer); // his last word may come late
     levers.writers.clear();
     for (auto one = sent; one != heard_.end(); ++one)
@@ -542,6 +598,117 @@ void Checks::look_for_silence(const run::Session& session) {
         if (levers.at[1] != 0 && silent > kLongest)
             fail("levers", fmt::format("speed lever at zero after {:g} s of silence", kLongest),
                  fmt::format("at {:g} after {:.2f} s", levers.at[1], silent));
+    }
+}
+
+/// Whose hand has which levers is told as it takes them, with whose they were, and once.
+void Checks::look_at_takings(const run::Session& session) {
+    for (std::size_t group = 0; group < takings_.size(); ++group) {
+        const int side =
+            group == static_cast<std::size_t>(run::LeverGroup::helm) ? -1 : static_cast<int>(group);
+        const char* const name = run::name(static_cast<run::LeverGroup>(group));
+        std::vector<std::string> told;
+        for (const auto& event : session.events()) {
+            if (event.side != side) continue;
+            if (event.code == "levers.taken") told.push_back(event.text);
+            if (event.code == "levers.lost") holders_.at(group).clear(); // behind all that was taken
+        }
+        std::vector<Taking> takings = std::exchange(takings_.at(group), {});
+        if (!takings.empty() && std::exchange(sabotage_taking, false)) takings.front().source = "nobody";
+        const auto text_of = [&](const Taking& taking, const char* how) {
+            return fmt::format("{} has the {}{}", taking.source, name,
+                               taking.before.empty() ? "" : how + taking.before);
+        };
+        // Of a run that another one followed in the same tick they stand before those of the present one.
+        if (run_began_ && told.size() > takings.size())
+            told.erase(told.begin(), told.end() - static_cast<std::ptrdiff_t>(takings.size()));
+        if (told.size() != takings.size())
+            fail("takings", fmt::format("{} of the {} told", takings.size(), name),
+                 std::to_string(told.size()));
+        for (std::size_t k = 0; k < told.size(); ++k) {
+            counts_.takings += takings[k].before.empty() ? 0 : 1;
+            if (told[k] != text_of(takings[k], ", taken from ") &&
+                told[k] != text_of(takings[k], ", handed back by "))
+                fail("takings", text_of(takings[k], ", taken from "), told[k]);
+        }
+    }
+}
+
+/// What a seat's question gets is an answer that it sent, or an instructor's start.
+void Checks::look_at_answers(const run::Session& session, const run::Inbox& inbox) {
+    for (const run::OrderView& order : session.orders()) {
+        const auto* const given = std::get_if<exercise::AnswerGiven>(&order.command);
+        if (given == nullptr) continue;
+        const bool passed_over = given->kind == exercise::AnswerKind::passed_over;
+        const bool sent = std::ranges::any_of(inbox.orders, [&](const run::ReceivedOrder& one) {
+            if (passed_over) {
+                const auto* const about_run = std::get_if<run::RunOrder>(&one.what);
+                return about_run != nullptr && about_run->action == run::RunAction::start;
+            }
+            const auto* const answer = std::get_if<run::AnswerOrder>(&one.what);
+            return answer != nullptr && one.source == order.source &&
+                   answer->answer.question == given->question;
+        });
+        if (!sent)
+            fail("questions",
+                 passed_over ? "passed over as an instructor starts the exercise" : "an answer that was sent",
+                 fmt::format("{} of {}", given->question, order.source));
+        ++(passed_over ? counts_.passed_over : counts_.answered);
+    }
+}
+
+/// What is asked is told once, as long as it is asked; the exercise holds for it, and goes on when it is
+/// answered.
+void Checks::look_at_questions(const run::Session& session, const run::Inbox& inbox) {
+    std::ptrdiff_t told = 0;
+    for (const run::QuestionView& question : session.questions()) {
+        if (!question.id.empty() && std::exchange(sabotage_question, false)) continue;
+        Asked& asked = asked_.at(question.forecastle ? 0 : 1);
+        if (question.id == asked.id && (question.id.empty() || question.run == asked.run))
+            fail("questions", fmt::format("\"{}\" is told once", question.id), "told again");
+        asked = {question.id, question.run, question.tick};
+        told += question.id.empty() ? 0 : 1;
+    }
+    counts_.questions += static_cast<std::uint64_t>(told);
+    const auto logged =
+        std::ranges::count(session.events(), std::string("question.asked"), &exercise::ExerciseEvent::code);
+    if (logged != told) fail("questions", fmt::format("{} in the log", told), std::to_string(logged));
+    bool asks = false;
+    for (std::size_t seat = 0; seat < asked_.size(); ++seat) {
+        const Asked& asked = asked_[seat];
+        const std::string open = run::question_to(seat == 0, session.assessor()).id;
+        if (open != asked.id || session.status().asked.at(seat) == open.empty())
+            fail("questions", fmt::format("the {} is told that it is asked \"{}\"", kSeats[seat], open),
+                 fmt::format("\"{}\"", asked.id));
+        asks = asks || !open.empty();
+        if (!open.empty() && (session.running() || tick_ != asked.tick))
+            fail("questions", fmt::format("the exercise holds at tick {} for \"{}\"", asked.tick, open),
+                 fmt::format("{} at tick {}", session.running() ? "runs" : "stands", tick_));
+    }
+    const bool others = std::ranges::any_of(inbox.orders, [](const run::ReceivedOrder& order) {
+        return std::holds_alternative<run::RunOrder>(order.what) ||
+               std::holds_alternative<run::StateOrder>(order.what);
+    });
+    if (!others && was_running_ && asks && !session.held())
+        fail("questions", "the exercise goes on with the answer", "it stands until somebody starts it");
+    if (!others && was_held_ && !asks && session.status().state == RunState::paused)
+        fail("questions", "the exercise goes on, as it is answered", "it stands");
+    was_running_ = session.running(), was_held_ = session.held();
+}
+
+/// A question that stood when the server was lost is asked again by the next one.
+void Checks::hold_questions_again(const run::Session& session) {
+    if (!line().assessor) return; // it was not seen as it began
+    for (const bool forecastle : {true, false}) {
+        const std::string open = run::question_to(forecastle, undisturbed_->course.assessor()).id;
+        std::string told;
+        for (const run::QuestionView& question : session.questions())
+            if (question.forecastle == forecastle) told = question.id;
+        if (told != open)
+            fail("questions",
+                 fmt::format("the {} is asked \"{}\" again", kSeats.at(forecastle ? 0 : 1), open),
+                 fmt::format("\"{}\"", told));
+        counts_.stood_again += open.empty() ? 0 : 1;
     }
 }
 

@@ -62,8 +62,20 @@ public:
     std::optional<Place> promised(Loss how) const;
     std::vector<run::AlertView> open_alerts() const;
 
-    bool sabotage_order = false; ///< the next order is not the one that was taken
-    bool sabotage_marks = false; ///< the next marks are not those that were given
+    /// What of it was drawn.
+    struct Counts {
+        std::uint64_t takings = 0;     ///< of levers, from another hand
+        std::uint64_t questions = 0;   ///< that were told
+        std::uint64_t answered = 0;    ///< of them
+        std::uint64_t passed_over = 0; ///< by an instructor
+        std::uint64_t stood_again = 0; ///< behind the loss of a server
+    };
+    const Counts& counts() const { return counts_; }
+
+    bool sabotage_order = false;    ///< the next order is not the one that was taken
+    bool sabotage_marks = false;    ///< the next marks are not those that were given
+    bool sabotage_taking = false;   ///< the next to take levers is not the one that is told
+    bool sabotage_question = false; ///< the next question is not told
 
 private:
     /// A course from its beginning, or from where another one was left.
@@ -101,7 +113,9 @@ private:
         std::vector<run::OrderView> behind{};
         std::optional<std::uint64_t> assessment{}; // where it is told: words may change it and nothing else
     };
-    bool comes_to(Line& line, std::size_t orders, const State& state);
+    static bool is(const run::Course& course, const Line& line, const State& state);
+    static run::Course copy_of(const run::Course& course, const Line& line);
+    static bool comes_to(const run::Course& course, const Line& line, const State& state);
     std::optional<std::size_t> orders_of(Line& line, std::uint64_t tick, const State& state);
     bool go_on_from(Line& line, std::uint64_t tick, const State& state);
     void leave_line();
@@ -113,6 +127,10 @@ private:
     void look_at_orders(const run::Session& session);
     void look_at_levers(const run::OrderView& order, double now);
     void look_for_silence(const run::Session& session);
+    void look_at_takings(const run::Session& session);
+    void look_at_answers(const run::Session& session, const run::Inbox& inbox);
+    void look_at_questions(const run::Session& session, const run::Inbox& inbox);
+    void hold_questions_again(const run::Session& session);
     void look_at_events(const run::Session& session);
     void look_at_alerts(const run::Session& session, const std::string& trouble);
     void forget_hands();
@@ -150,6 +168,21 @@ private:
     std::set<wire::WriterId> left_;                   // writers that are there no more
     double listened_ = 0, listened_at_ = 0, ran_since_ = 0;
     bool ran_ = false;
+    /// A hand that has levers from another one.
+    struct Taking {
+        std::string source, before;
+    };
+    std::array<std::string, 3> holders_;         // of levers; empty: nobody
+    std::array<std::vector<Taking>, 3> takings_; // since the last look, of the present run
+    bool run_began_ = false;                     // since the last look
+    /// What a seat was told last that it is asked.
+    struct Asked {
+        std::string id;
+        std::uint64_t run = 0, tick = 0;
+    };
+    std::array<Asked, 2> asked_;                  // forecastle, bridge
+    bool was_running_ = false, was_held_ = false; // at the last look
+    Counts counts_;
     std::map<std::pair<std::string, int>, run::AlertCondition> alerts_;
 };
 

@@ -19,20 +19,27 @@ wire::WriterId writer_of(std::uint64_t number) {
 
 } // namespace
 
-Hands::Hands(World& world, Network& network, std::size_t sides)
-    : world_(world), network_(network), sides_(sides), desk_(writer_of(++writers_)) {
-    const auto add = [&](const char* name, int levers, bool instructor, int strength) {
+Hands::Hands(World& world, Network& network, std::uint64_t seed, std::size_t sides)
+    : world_(world),
+      network_(network),
+      second_desk_(seed * 0x9E3779B97F4A7C15ULL + 3),
+      sides_(sides),
+      desk_(writer_of(++writers_)) {
+    const auto add = [&](const char* name, int levers, bool instructor, int strength, Chance& chance) {
         hands_.push_back(std::make_unique<Hand>());
         Hand& hand = *hands_.back();
         hand.name = name, hand.levers = levers, hand.instructor = instructor, hand.strength = strength;
-        const double first = instructor ? world_.chance().spread(5, 200) : world_.chance().spread(0.05, 5);
+        hand.chance = &chance;
+        const double first = instructor ? chance.spread(5, 200) : chance.spread(0.05, 5);
         world_.at(first, [this, &hand] { work(hand); });
     };
-    add("anna", 0, false, 10);
-    add("script", 0, false, 5);
-    if (sides > 1) add("ben", 1, false, 10);
-    add("mate", 2, false, 10);
-    add(kDesk, 0, true, 10);
+    Chance& chance = world_.chance();
+    add("anna", 0, false, 10, chance);
+    add("script", 0, false, 5, chance);
+    if (sides > 1) add("ben", 1, false, 10, chance);
+    add("mate", 2, false, 10, chance);
+    add(kDesk, 0, true, 10, chance);
+    if (second_desk_.in(0.3)) add("desk-2", 0, true, 10, second_desk_);
     world_.at(1, [this] { desk(); });
 }
 
@@ -41,17 +48,19 @@ void Hands::tell(Told told) {
               [this, told = std::move(told)] { told_ = told; });
 }
 
-/// With a writer of its own; its hand has taken the levers in this run.
+/// With a writer of its own; its hand has taken the levers in this run, an instructor's from whoever has
+/// them.
 void Hands::join(Hand& hand) {
     hand.joined = true;
     hand.writer = writer_of(++writers_);
     hand.serial = 0;
+    if (hand.instructor) hand.strength = network_.outrank(hand.levers);
     hand.moved_in_run = told_.run;
     hand.moved_at.fill(world_.now());
 }
 
 void Hands::work(Hand& hand) {
-    Chance& chance = world_.chance();
+    Chance& chance = *hand.chance;
     double next = kSpeaks;
     if (!hand.joined) join(hand);
     if (chance.in(0.08)) move(hand);
@@ -73,7 +82,7 @@ void Hands::work(Hand& hand) {
 }
 
 void Hands::move(Hand& hand) {
-    Chance& chance = world_.chance();
+    Chance& chance = *hand.chance;
     const std::size_t lever = chance.below(hand.levers == 2 ? 4 : 5);
     double& at = hand.at.at(lever);
     if (hand.levers == 2) {

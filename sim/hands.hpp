@@ -1,7 +1,8 @@
 #pragma once
 // Scripted stations: a trainee at each windlass, a second one at the port one, the helm, and an instructor's
-// desk, which takes levers, too. They move levers, fall silent, let go, are killed and come back; the desk
-// orders, floods, and sets going again what stands still.
+// desk, which takes levers, too; now and then a second desk, of which the one that takes them over last has
+// them. They move levers, fall silent, let go, are killed and come back; the desk orders, floods, and sets
+// going again what stands still.
 
 #include "server/run/status.hpp"
 #include "sim/network.hpp"
@@ -21,7 +22,7 @@ struct Told {
 class Hands {
 public:
     /// Begins to work. sides: how many windlasses there are.
-    Hands(World& world, Network& network, std::size_t sides);
+    Hands(World& world, Network& network, std::uint64_t seed, std::size_t sides);
 
     /// They are told, after a while.
     void tell(Told told);
@@ -38,6 +39,7 @@ private:
         std::array<double, 5> at{1, 0, 0, 0, 0}; // as on WindlassCommand, or HelmCommand
         std::array<double, 5> moved_at{};
         bool joined = false;
+        Chance* chance = nullptr; // that its work is drawn by
     };
 
     void join(Hand& hand);
@@ -52,6 +54,7 @@ private:
 
     World& world_;
     Network& network_;
+    Chance second_desk_; // of its own, as most seeds have none
     const std::size_t sides_;
     std::vector<std::unique_ptr<Hand>> hands_;
     Told told_;

@@ -18,11 +18,13 @@ constexpr int kFailed = 1, kBadExercise = 2;
 std::string line(std::uint64_t seed, const windlass::sim::Outcome& found) {
     return fmt::format(
         "seed {}: {} ticks in {:.0f} s, {} kills, {} power cuts, {} taken up, {} set back, {} begun anew, "
-        "{} rotten, {} left, {} predictions, {} recordings, {} recorder kills, {} pages, {} sent away, "
+        "{} rotten, {} left, {} predictions, {} takings, {} questions, {} answered, {} passed over, {} stood "
+        "again, {} recordings, {} recorder kills, {} pages, {} sent away, {} taken from pages, "
         "{} stations killed, digest {:016x}",
         seed, found.ticks, found.simulated, found.kills, found.power_cuts, found.taken_up, found.set_back,
-        found.anew, found.rotten, found.left, found.predictions, found.recordings, found.recorder_kills,
-        found.pages, found.sent_away, found.stations, found.digest);
+        found.anew, found.rotten, found.left, found.predictions, found.takings, found.questions,
+        found.answered, found.passed_over, found.stood_again, found.recordings, found.recorder_kills,
+        found.pages, found.sent_away, found.taken, found.stations, found.digest);
 }
 
 } // namespace
@@ -40,7 +42,8 @@ int main(int argc, char** argv) {
     app.add_option("--seeds", seeds, "How many, one after the other")
         ->check(CLI::Range(1, 100'000'000))
         ->capture_default_str();
-    app.add_option("--exercise", exercise, "Exercise file; without it, a let-go")->check(CLI::ExistingFile);
+    app.add_option("--exercise", exercise, "Exercise file; without it, one that is drawn")
+        ->check(CLI::ExistingFile);
     app.add_option("--minutes", plan.minutes, "Minutes of exercise for each seed")
         ->check(CLI::Range(0.1, 600.0))
         ->capture_default_str();
@@ -61,7 +64,7 @@ int main(int argc, char** argv) {
             plan.seed = seed + k;
             const sim::Outcome found = sim::run(plan);
             std::cout << line(plan.seed, found) << std::endl;
-            exercised += static_cast<double>(found.ticks) / plan.def.tick_rate_hz;
+            exercised += found.exercised;
             if (!found.failed) continue;
             const auto& [what, tick, at] = *found.failed;
             std::cout << fmt::format(

@@ -34,10 +34,16 @@ double Network::arrival(const wire::WriterId& writer) {
 void Network::send(Sent sent) {
     Chance& chance = world_.chance();
     sent.at = world_.now();
+    if (const int levers = levers_of(sent.sample); levers >= 0 && sent.instructor)
+        strongest_[levers] = std::max(strongest_[levers], sent.strength);
     if (bad_ && chance.in(0.02)) return;
     const int copies = bad_ && chance.in(0.02) ? 2 : 1;
     for (int k = 0; k < copies; ++k)
         world_.at(arrival(sent.writer), [this, sent] { arrive(sent); });
+}
+
+int Network::outrank(int levers) {
+    return strongest_[levers] + 1;
 }
 
 void Network::leave(const wire::WriterId& writer) {
@@ -73,6 +79,7 @@ void Network::arrive(const Sent& sent) {
         const bool silent = world_.now() - owner.heard > kDeadline;
         if (owner.writer != sent.writer && !silent && sent.strength <= owner.strength) return;
         owner = {sent.writer, sent.strength, world_.now()};
+        if (overheard_) overheard_(sent);
     }
     if (heard_) heard_(sent);
 }

@@ -26,6 +26,9 @@ public:
     explicit Network(World& world);
 
     void send(Sent sent);
+    /// A strength above all that has been spoken with on the instructors' topic of these levers, for one who
+    /// takes them over.
+    int outrank(int levers);
     /// That writer is there no more, which is told behind what it sent.
     void leave(const wire::WriterId& writer);
     /// The program of that writer is held up until then (s): missed after DDS's lease, and there again.
@@ -37,6 +40,8 @@ public:
     void serve(Heard heard, Met met);
     /// There is none.
     void serve_nobody() { heard_ = nullptr, met_ = nullptr; }
+    /// Each word that counts on levers is told as it comes, as every station hears them.
+    void overhear(Heard overheard) { overheard_ = std::move(overheard); }
 
 private:
     double arrival(const wire::WriterId& writer);
@@ -51,11 +56,12 @@ private:
 
     World& world_;
     const bool bad_;
-    Heard heard_;
+    Heard heard_, overheard_;
     Met met_;
     double served_since_ = 0, congested_until_ = 0; // s
     std::map<wire::WriterId, double> last_;         // arrival of each writer's last sample
     std::map<std::pair<int, bool>, Owner> owners_;
+    std::map<int, int> strongest_; // instructor, by levers
 };
 
 } // namespace windlass::sim

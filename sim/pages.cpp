@@ -10,6 +10,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <chrono>
+#include <set>
 
 namespace windlass::sim {
 
@@ -23,6 +25,7 @@ constexpr double kShipEvery = 0.1;    // s
 constexpr int kFloodOfPage = 500;     // messages at once, more than any session takes
 constexpr double kSaysWhere = 0.25;   // s behind a page's word in which its program repeats it
 constexpr double kSabotagedFrom = 10; // s
+constexpr double kLost = std::chrono::duration<double>(gateway::LeverDesk::kLost).count(); // s
 constexpr std::size_t kWaitAtMost = gateway::Outbox::kMost + 8;
 
 using Values = std::array<double, 5>; // as on WindlassCommand
@@ -44,6 +47,7 @@ struct Pages::Impl {
     void tell(const wire::TopicInfo& topic, std::vector<std::uint8_t> payload, std::string key, double time);
     void send_on(Program& program, const ToldPtr& sample);
     void arrive(Program& program, const ToldPtr& sample);
+    void overhear(const Sent& sent);
     void written(Program& program, gateway::LeverDesk::Page by, WindlassCommand& levers);
     void open(Page& page);
     void work(Page& page);
@@ -63,7 +67,7 @@ struct Pages::Impl {
     std::uint64_t status_run = 0;
     exercise::RunState status_state{};
     double next_status = 0, next_ship = 0; // s
-    std::uint64_t opened = 0, sent_away = 0, killed = 0, digest = 0;
+    std::uint64_t opened = 0, sent_away = 0, killed = 0, taken = 0, digest = 0;
 };
 
 /// A page, with its connection if it has one.
@@ -85,6 +89,11 @@ struct Pages::Impl::Program {
     double last_arrival = 0; // s
     HeardBook book{};
     std::vector<std::unique_ptr<Page>> pages{};
+    // Of its port levers, by what is heard of them:
+    gateway::LeverDesk::Page holder = nullptr; // whose words went out last; nobody's any more
+    double held_since = 0, own = -10;          // s: that page's first word; when a word of its own counted
+    double other = -10;                        // s: when another station's did
+    std::set<std::string> others{};            // that were heard on them
 };
 
 /// A WebSocket, as gateway::Socket is one.
@@ -128,6 +137,9 @@ struct Pages::Impl::Connection final : gateway::Transport, std::enable_shared_fr
             take(*item);
         }
         checks.has_all(page.of.book, count, kWaitAtMost);
+        const auto holder = page.of.runs->holder(0);
+        const std::string has = holder == nullptr ? "nobody" : holder == session.get() ? "this" : "another";
+        if (told_has != has) throw Failure{"page takings", "told who has the levers: " + has, told_has};
         reads_not = false;
     }
 
@@ -142,10 +154,30 @@ struct Pages::Impl::Connection final : gateway::Transport, std::enable_shared_fr
             return;
         }
         const json message = json::parse(item.text);
+        if (message.at("op") == "levers") return take_levers(message);
         if (message.at("op") != "advertise") return;
         for (const json& channel : message.at("channels"))
             channels.push_back(channel.at("id").get<std::uint32_t>());
         subscribe(channels);
+    }
+
+    /// It is told who has them. Where another station does, its hand comes off them for a while.
+    void take_levers(const json& message) {
+        told_has = message.at("by").get<std::string>();
+        if (!message.contains("taken_by")) return;
+        const auto by = message.at("taken_by").get<std::string>();
+        ++impl.taken;
+        if (!page.of.others.contains(by))
+            throw Failure{"page takings", "told of a station that is heard on its levers", by};
+        if (!page.hand || !std::exchange(works, false)) return;
+        page.hangs_until = impl.world.now() + page.chance.spread(0.5, 20);
+        let_go_levers();
+    }
+
+    void let_go_levers() {
+        send(json{{"op", "let_go_levers"}, {"side", 0}}.dump(), [this] {
+            if (page.of.holder == session.get()) page.of.holder = nullptr;
+        });
     }
 
     void acknowledge(const std::vector<std::uint8_t>& payload) {
@@ -206,6 +238,7 @@ struct Pages::Impl::Connection final : gateway::Transport, std::enable_shared_fr
 
     void say_levers() {
         const Values at = page.at;
+        works = true;
         const json message{{"op", "levers"},
                            {"side", 0},
                            {"brake", at[0]},
@@ -254,6 +287,8 @@ struct Pages::Impl::Connection final : gateway::Transport, std::enable_shared_fr
     std::uint64_t of_generation = 0;
     bool waits = false, closing = false, ended = false;
     bool floods = false, sends_binary = false, reads_not = false;
+    bool works = false; // on levers
+    std::string told_has = "nobody";
     double last_sent = 0; // s
     std::uint32_t subscriptions = 0;
     std::vector<std::uint32_t> channels{};
@@ -275,7 +310,9 @@ Pages::Impl::Impl(World& its_world, Network& its_network, std::uint64_t seed, Sa
     truth.insert(truth.end(), {"Event", "ShipState", "ServerAlert"});
     add(station::Seat::watcher, "watch", both, false);
     add(station::Seat::observer, "observer", truth, false);
-    if (works) add(station::Seat::forecastle, "deck", deck, true);
+    if (!works) return;
+    add(station::Seat::forecastle, "deck", deck, true);
+    network.overhear([this](const Sent& sent) { overhear(sent); });
 }
 
 Pages::Impl::~Impl() {
@@ -284,19 +321,21 @@ Pages::Impl::~Impl() {
 }
 
 void Pages::Impl::add(station::Seat seat, const char* name, std::vector<std::string> may_hear, bool hand) {
-    programs.push_back(std::make_unique<Program>(Program{
-        .options = {.seat = seat,
-                    .name = name,
-                    .hears_truth = sabotage == Sabotage::page_sees_truth && !station::has_truth(seat)},
-        .may_hear = std::move(may_hear)}));
+    programs.push_back(std::make_unique<Program>(
+        Program{.options = {.seat = seat,
+                            .name = name,
+                            .hears_truth = sabotage == Sabotage::page_sees_truth && !station::has_truth(seat),
+                            .tells_no_takings = sabotage == Sabotage::page_taking_untold,
+                            .looks_at_no_takings = sabotage == Sabotage::page_hand_stays},
+                .may_hear = std::move(may_hear)}));
     Program& program = *programs.back();
     if (hand)
         program.options.written = [this, &program](gateway::LeverDesk::Page by, WindlassCommand& levers) {
             written(program, by, levers);
         };
     for (int k = 0; k < 2; ++k) {
-        program.pages.push_back(std::make_unique<Page>(
-            Page{.of = program, .hand = hand && k == 0, .chance = Chance(chance.bits())}));
+        program.pages.push_back(
+            std::make_unique<Page>(Page{.of = program, .hand = hand, .chance = Chance(chance.bits())}));
         world.at(chance.spread(0.2, 5), [this, page = program.pages.back().get()] { work(*page); });
     }
     world.at(chance.spread(0.05, 2), [this, &program] { start(program); });
@@ -309,6 +348,8 @@ void Pages::Impl::start(Program& program) {
     program.options.number = ++started;
     program.book = {};
     program.runs = std::make_unique<StationProgram>(world, network, program.options);
+    program.holder = nullptr, program.own = program.other = -10;
+    program.others.clear();
     // What the server's writers have for who comes late.
     for (const wire::TopicInfo* topic : std::initializer_list<const wire::TopicInfo*>{
              &wire::topics::event, &wire::topics::forecastle_event, &wire::topics::bridge_event,
@@ -342,6 +383,7 @@ void Pages::Impl::kill(Program& program) {
 void Pages::Impl::tick(Program& program) {
     if (!program.runs) return;
     program.runs->tick();
+    if (program.holder != program.runs->holder(0)) program.holder = nullptr;
     for (const auto& page : program.pages) {
         const Connection* const one = page->connection.get();
         if (one == nullptr || one->ended || one->closing) continue;
@@ -375,7 +417,24 @@ void Pages::Impl::arrive(Program& program, const ToldPtr& sample) {
     program.runs->hear(*sample);
 }
 
-/// A word goes out: of a page that is there, as its hand has moved the levers last.
+/// A word on levers counts: every station hears whose it is.
+void Pages::Impl::overhear(const Sent& sent) {
+    const auto* const levers = std::get_if<WindlassCommand>(&sent.sample);
+    if (levers == nullptr || levers->side() != 0 || sent.instructor) return;
+    for (const auto& program : programs) {
+        if (!program->runs || !program->options.written) continue;
+        program->runs->overhear(sent);
+        if (program->runs->speaks_as(0) == sent.writer) {
+            program->own = world.now();
+        } else {
+            program->other = world.now();
+            program->others.insert(levers->origin().source().to_string());
+        }
+    }
+}
+
+/// A word goes out: of a page that is there, as its hand has moved the levers last, and as long as no other
+/// station has them.
 void Pages::Impl::written(Program& program, gateway::LeverDesk::Page by, WindlassCommand& levers) {
     const auto page = std::ranges::find_if(program.pages, [&](const auto& one) {
         return one->connection && !one->connection->ended && one->connection->session.get() == by;
@@ -391,6 +450,12 @@ void Pages::Impl::written(Program& program, gateway::LeverDesk::Page by, Windlas
                       fmt::format("brake {:g}, speed lever {:g}", one.levers[0], one.levers[1]),
                       fmt::format("brake {:g}, speed lever {:g}", at[0], at[1])};
     one.repeated = world.now();
+    if (program.holder != by) program.holder = by, program.held_since = world.now();
+    const double mine = std::max(program.own, program.held_since);
+    if (program.other - mine > kLost + 2 * kPagesTick)
+        throw Failure{
+            "page levers", "its hand is off levers that another station has",
+            fmt::format("a word, {:.2f} s behind the last of its own that counted", program.other - mine)};
 }
 
 // ---- its pages
@@ -418,7 +483,8 @@ void Pages::Impl::work(Page& page) {
         }
     } else {
         Connection& one = *page.connection;
-        if (page.hand && now >= page.hangs_until) {
+        // One that has read that another page has them tries all the same now and then, and is refused.
+        if (page.hand && now >= page.hangs_until && (one.told_has != "another" || chance.in(0.05))) {
             if (chance.in(0.08)) move(page);
             one.say_levers();
         }
@@ -464,7 +530,7 @@ void Pages::Impl::misbehave(Page& page, double drawn) {
         one.subscribe_again();
     } else if (drawn < 0.08 && page.hand) { // says nothing for a while, or lets go
         page.hangs_until = now + chance.spread(0.1, 15);
-        if (chance.in(0.5)) one.send(json{{"op", "let_go_levers"}, {"side", 0}});
+        if (chance.in(0.5)) one.let_go_levers();
     }
 }
 
@@ -559,6 +625,9 @@ std::uint64_t Pages::sent_away() const {
 }
 std::uint64_t Pages::killed() const {
     return impl_->killed;
+}
+std::uint64_t Pages::taken() const {
+    return impl_->taken;
 }
 std::uint64_t Pages::digest() const {
     return impl_->digest;

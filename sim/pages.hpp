@@ -27,6 +27,7 @@ public:
     std::uint64_t opened() const;    ///< connections
     std::uint64_t sent_away() const; ///< of them, by the gateway
     std::uint64_t killed() const;    ///< programs
+    std::uint64_t taken() const;     ///< that a page was told that another station has its levers
     std::uint64_t digest() const;    ///< of all that pages were sent; 0: there were none
 
 private:

@@ -14,6 +14,8 @@ using nlohmann::json;
 
 namespace {
 
+constexpr int kStrength = 10; // of a hand, as station::LeverSender's
+
 std::array<double, 5> values_of_levers(const WindlassCommand& levers) {
     return {levers.brake(), levers.speed_lever(), levers.clutch_in() ? 1.0 : 0.0,
             levers.stopper_closed() ? 1.0 : 0.0, levers.emergency_stop() ? 1.0 : 0.0};
@@ -85,7 +87,7 @@ private:
     double exercise_time_ = 0;                            // s
 };
 
-/// As gateway::ExerciseDesk; that another station has its levers it does not hear.
+/// As gateway::ExerciseDesk of a trainees' station, whose hands are equals with all others.
 class StationProgram::Desk final : public gateway::PageDesk {
 public:
     explicit Desk(StationProgram& program)
@@ -94,6 +96,7 @@ public:
                          std::uint64_t moved_in_run) { write(hand, sample, moved_in_run); },
                   [this](Hand hand, gateway::LeverDesk::Page holder, const std::string& taken_by) {
                       if (holder == nullptr) let_go(hand);
+                      if (!taken_by.empty() && program_.options_.tells_no_takings) return;
                       for (gateway::PageSession* page : program_.pages_)
                           page->tell_levers(hand, holder, taken_by);
                   },
@@ -131,6 +134,17 @@ public:
     void call(gateway::LeverDesk::Page, const std::string&) override {}
     void leave(gateway::LeverDesk::Page page) override { levers_.leave(page); }
 
+    void overhear(Hand hand, const Sent& sent) {
+        spoken_.at(static_cast<std::size_t>(hand)) = {.sent = sent, .at = program_.world_.time()};
+    }
+    /// As ExerciseDesk::tick.
+    void tick() {
+        for (const Hand hand : {Hand::port, Hand::starboard})
+            if (levers_.holder(hand) != nullptr && !program_.options_.looks_at_no_takings)
+                look_whose_word_counts(hand);
+        levers_.tick(program_.world_.time());
+    }
+
     std::optional<wire::WriterId> speaks_as(Hand hand) const {
         const Ends& ends = ends_.at(static_cast<std::size_t>(hand));
         return ends.serial == 0 ? std::nullopt : std::optional(ends.writer);
@@ -143,6 +157,20 @@ private:
         std::uint64_t serial = 0;
         std::array<double, 5> at{}, moved_at{};
     };
+    /// The last word that counted.
+    struct Spoken {
+        std::optional<Sent> sent{};
+        gateway::Clock::time_point at{};
+    };
+    void look_whose_word_counts(Hand hand) {
+        const auto& [sent, at] = spoken_.at(static_cast<std::size_t>(hand));
+        if (!sent) return;
+        if (sent->writer == ends(hand).writer)
+            levers_.heard_own(hand, at);
+        else
+            levers_.heard_other(hand, std::get<WindlassCommand>(sent->sample).origin().source().to_string(),
+                                at, sent->strength > kStrength);
+    }
     Ends& ends(Hand hand) { return ends_.at(static_cast<std::size_t>(hand)); }
 
     wire::WriterId next_writer() {
@@ -169,8 +197,11 @@ private:
             if (its.serial == 0 || at[k] != its.at[k]) its.moved_at[k] = program_.world_.now();
         its.at = at;
         ++its.serial;
-        program_.network_.send(
-            {.sample = levers, .writer = its.writer, .moved_in_run = moved_in_run, .moved_at = its.moved_at});
+        program_.network_.send({.sample = levers,
+                                .writer = its.writer,
+                                .moved_in_run = moved_in_run,
+                                .strength = kStrength,
+                                .moved_at = its.moved_at});
     }
 
     void let_go(Hand hand) {
@@ -190,7 +221,8 @@ private:
     StationProgram& program_;
     const std::string exercise_ = "anna";
     std::uint64_t writers_ = 0;
-    std::array<Ends, 2> ends_; // by side
+    std::array<Ends, 2> ends_;     // by side
+    std::array<Spoken, 2> spoken_; // the same
     Ends orders_;
     gateway::LeverDesk levers_;
 };
@@ -228,8 +260,14 @@ void StationProgram::hear(const ToldSample& sample) {
     topics_->hear(sample);
 }
 
+void StationProgram::overhear(const Sent& sent) {
+    const auto* const levers = std::get_if<WindlassCommand>(&sent.sample);
+    if (levers != nullptr && !sent.instructor) // who hears its topic
+        desk_->overhear(levers->side() == SIDE_PORT ? Hand::port : Hand::starboard, sent);
+}
+
 void StationProgram::tick() {
-    desk_->levers().tick(world_.time());
+    desk_->tick();
 }
 
 const wire::TopicInfo* StationProgram::topic_of(std::uint32_t channel) const {

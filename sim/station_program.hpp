@@ -22,6 +22,9 @@ public:
         std::uint64_t number = 0; ///< of all programs, so that no two have the same writers
         Written written{};        ///< empty: no hand works there, and nothing goes out
         bool hears_truth = false; ///< whatever its seat may hear
+        // What it leaves undone:
+        bool tells_no_takings = false;    ///< to its pages, of another station that has their levers
+        bool looks_at_no_takings = false; ///< so that their hands stay on these
     };
 
     StationProgram(World& world, Network& network, Options options);
@@ -33,6 +36,8 @@ public:
     bool reads(const wire::TopicInfo& topic) const;
     /// A sample has come.
     void hear(const ToldSample& sample);
+    /// A word on levers counts, its own or another station's.
+    void overhear(const Sent& sent);
     /// 20 times a second, as Gateway's.
     void tick();
 

@@ -14,15 +14,17 @@ namespace windlass::sim {
 namespace {
 
 TEST(Centre, HasPagesInAShareOfItsSeeds) {
-    std::uint64_t without = 0, opened = 0, sent_away = 0, stations = 0;
+    std::uint64_t without = 0, opened = 0, sent_away = 0, taken = 0, stations = 0;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         const Outcome found = run({.seed = seed});
         without += found.pages == 0 ? 1 : 0;
         opened += found.pages, sent_away += found.sent_away, stations += found.stations;
+        taken += found.taken;
     }
     EXPECT_GT(without, 0U);
     EXPECT_GT(opened, 10U);
     EXPECT_GT(sent_away, 0U);
+    EXPECT_GT(taken, 0U);
     EXPECT_GT(stations, 0U);
 }
 
@@ -52,6 +54,14 @@ TEST(PageChecks, FindAPageThatIsToldWhatItsSeatMayNotHear) {
 
 TEST(PageChecks, FindALeverThatIsNotWhereAPagesHandMovedIt) {
     EXPECT_EQ(first_failure(Sabotage::page_lever_altered, 10), "page levers");
+}
+
+TEST(PageChecks, FindAPageThatIsNotToldThatAnotherStationHasItsLevers) {
+    EXPECT_EQ(first_failure(Sabotage::page_taking_untold, 10), "page takings");
+}
+
+TEST(PageChecks, FindAHandThatStaysOnLeversThatAnotherStationHas) {
+    EXPECT_EQ(first_failure(Sabotage::page_hand_stays, 10), "page levers");
 }
 
 TEST(PageChecks, FindALeverOfAPageThatIsGone) {

@@ -5,6 +5,7 @@
 #include "sim/centre.hpp"
 #include "sim/checks.hpp"
 #include "sim/disk.hpp"
+#include "sim/drawn_exercise.hpp"
 
 #include "tests/sim/first_failure.hpp"
 
@@ -41,6 +42,29 @@ TEST(Centre, IsAskedForPredictions) {
     EXPECT_GT(made, 0U);
 }
 
+TEST(Centre, HasFreezesThatAreAnsweredPassedOverAndStandAgainAfterALoss) {
+    Outcome all;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        if (!draws_questions(seed)) continue;
+        const Outcome found = run({.seed = seed});
+        EXPECT_FALSE(found.failed) << seed;
+        all.questions += found.questions, all.answered += found.answered;
+        all.passed_over += found.passed_over, all.stood_again += found.stood_again;
+    }
+    EXPECT_GT(all.answered, 0U);
+    EXPECT_GT(all.passed_over, 0U);
+    EXPECT_GT(all.stood_again, 0U);
+    EXPECT_GT(all.questions, all.stood_again);
+}
+
+TEST(Centre, HasLetGosAmongItsSeeds) {
+    std::size_t held = 0, let_go = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed)
+        ++(drawn_exercise(seed).tick_rate_hz == 100 ? held : let_go);
+    EXPECT_GT(held, let_go);
+    EXPECT_GT(let_go, 3U);
+}
+
 TEST(Centre, NotDrawnFromItsSeedAloneIsNotTheSame) {
     const Plan plan{.seed = 1, .minutes = 0.2, .sabotage = Sabotage::chance};
     EXPECT_NE(run(plan).digest, run(plan).digest);
@@ -69,6 +93,18 @@ TEST(Checks, FindALeverThatNoHandMoves) {
     EXPECT_EQ(first_failure(Sabotage::ghost_hand, 10), "levers");
 }
 
+TEST(Checks, FindLeversThatAreToldToBeAnotherHands) {
+    EXPECT_EQ(first_failure(Sabotage::taking_altered, 10), "takings");
+}
+
+TEST(Checks, FindAQuestionThatIsNotTold) {
+    EXPECT_EQ(first_failure(Sabotage::question_untold, 10), "questions");
+}
+
+TEST(Checks, FindAFreezeThatNoInstructorAndNoAnswerEnded) {
+    EXPECT_EQ(first_failure(Sabotage::question_passed_over, 10), "questions");
+}
+
 TEST(Checks, FindAnEventThatIsNotTold) {
     EXPECT_EQ(first_failure(Sabotage::event_lost, 10), "events");
 }
@@ -80,7 +116,9 @@ TEST(Checks, FindAnAlertThatIsNotTold) {
 /// A session whose orders come as they are sent, looked at by the checks.
 class Checked {
 public:
-    Checked() { checks_.begins(session_, {.first = true}); }
+    explicit Checked(exercise::ExerciseDef def = {}) : session_(std::move(def), options()) {
+        checks_.begins(session_, {.first = true});
+    }
 
     void send(Sent sent) {
         mailbox_.put(sent.sample, sent.writer, sent.instructor, sent.moved_in_run);
@@ -104,6 +142,13 @@ public:
         command.time_scale(1), command.restore_time(restore_time);
         command.origin().source("desk"), command.origin().serial(++serial_);
         mailbox_.put(command, {255});
+    }
+    /// The forecastle's, that it cannot tell.
+    void answer(const char* question) {
+        dds::ForecastleAnswer answer;
+        answer.question(question), answer.kind(ANSWER_NOT_KNOWN);
+        answer.origin().source("anna"), answer.origin().serial(++serial_);
+        mailbox_.put(answer, {254});
     }
     /// Ticks for so many seconds, or once.
     void go_on(double seconds = 0) {
@@ -136,7 +181,7 @@ private:
 
     const World world_{1};
     Checks checks_{world_};
-    run::Session session_{{}, options()};
+    run::Session session_;
     dds::Mailbox mailbox_;
     run::Inbox inbox_;
     std::uint64_t serial_ = 0;
@@ -296,6 +341,18 @@ TEST(Checks, KnowARunThatIsRestoredToItsVeryBeginningByTheLeversThatLayThere) {
     centre.order(EXERCISE_SNAPSHOT);
     centre.order(EXERCISE_START);
     EXPECT_EQ(centre.failure(1), "");
+}
+
+// It is an order of the tick at which the exercise stood, and changes nothing but the lesson.
+TEST(Checks, KnowThatAnAnswerIsNotInTheMomentBeforeItThatIsRestored) {
+    Checked centre(with_questions({}));
+    centre.go_on(6.5);
+    centre.order(EXERCISE_SNAPSHOT);
+    centre.go_on();
+    centre.answer("out");
+    centre.go_on(0.1);
+    centre.order(EXERCISE_RESTORE, 6);
+    EXPECT_EQ(centre.failure(0.1), "");
 }
 
 // The one's word is of a run that another followed in the same tick, and is not looked at.
