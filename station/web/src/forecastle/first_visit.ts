@@ -27,8 +27,8 @@ const steps: readonly Step[] = [
     title: t("Look"),
     text: byFinger
       ? t(
-          "You stand at the windlass. The buttons on the picture take you over the bow, to the brake and aft. How the " +
-            "cable leads you see over the bow; how fast it runs you hear from where you stand.",
+          "You stand at the windlass. The buttons on the picture take you over the bow, to the brake and aft. How " +
+            "the cable leads you see over the bow; how fast it runs you hear from where you stand.",
         )
       : t(
           "You stand at the windlass. The buttons on the picture, or the keys 1 to 4, take you over the bow, to the " +

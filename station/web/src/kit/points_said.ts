@@ -56,8 +56,8 @@ function worth(weight: number, { criteria, finished }: Judged): number {
 }
 
 /**
- * "6.3" of 6.25: the part that one criterion has of the 100 decides nothing, and is rounded to the nearest tenth, a half
- * up (share_text of common/figure_text.hpp is the same).
+ * "6.3" of 6.25: the part that one criterion has of the 100 decides nothing, and is rounded to the nearest tenth, a
+ * half up (share_text of common/figure_text.hpp is the same).
  */
 const shareFigure = (points: number): string => pointsFigure(points + 0.05);
 

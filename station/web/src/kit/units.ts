@@ -55,7 +55,7 @@ export function figure(value: number, decimals = 0): string {
   return writtenFigure((Number(text) === 0 ? text.replace("-", "") : text).replace("-", "\u2212"));
 }
 
-/** m of cable in shackles, to two decimals at most, as the judge tells them (shackles_figure of common/): "6.97", "4". */
+/** m of cable in shackles, two decimals at most, as the judge tells them (shackles_figure of common/): "6.97", "4". */
 export function shacklesFigure(length: number): string {
   const hundredths = Number(shackles(length).toFixed(2));
   const decimals = [0, 1].find((most) => Number(hundredths.toFixed(most)) === hundredths);
