@@ -11,10 +11,12 @@
 #include <fmt/core.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <future>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <thread>
@@ -136,6 +138,25 @@ Found together(const std::vector<Found>& founds) {
     return all;
 }
 
+/// Whether the load errs more where more steps have friction of the step's start: a line for each share.
+void print_by_friction(std::ostream& table, const std::vector<Found>& founds) {
+    double above = -1;
+    for (const double most : {0.0, 0.05, 0.1, 0.2, 0.3, 1.0}) {
+        std::vector<rigs::MomentError> moments;
+        for (const Found& found : founds)
+            std::ranges::copy_if(
+                found.errors, std::back_inserter(moments),
+                [&](double share) { return share > above && share <= most; }, &rigs::MomentError::friction);
+        above = most;
+        if (moments.empty()) continue;
+        const rigs::Coverage load = rigs::coverage(moments).load;
+        fmt::print(table,
+                   "# {} moments with friction of the step's start in at most {} of their steps: load within "
+                   "{:.4f}, within three times {:.4f}, error {:.4f}, estimate {:.4f}\n",
+                   moments.size(), most, load.within, load.within_three, load.error, load.estimate);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -183,6 +204,7 @@ int main(int argc, char** argv) {
             print_row(table, name, founds.back());
         });
         if (!founds.empty()) print_row(table, "all", together(founds));
+        print_by_friction(table, founds);
         fmt::print(table, "# within the budget of load and shape: {} of {}\n", within_budget, founds.size());
     });
 }

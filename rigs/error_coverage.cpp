@@ -39,7 +39,9 @@ std::vector<MomentError> moment_errors(const AnchoringRun& run, const AnchoringR
         const Moment &now = run.moments[k], &mean = run.moments[k - kHalfWindow];
         const double load = reference.moments[k - kHalfWindow].load;
         errors.push_back(
-            {{std::abs(mean.load - load) / load, shape_distance(now, reference.moments[k])}, now.error});
+            {.error = {std::abs(mean.load - load) / load, shape_distance(now, reference.moments[k])},
+             .estimate = now.error,
+             .friction = now.friction});
     }
     return errors;
 }

@@ -25,6 +25,7 @@ struct ErrorCoverage {
 /// The error of one moment.
 struct MomentError {
     physics::ModelError error, estimate;
+    double friction = 0; ///< share of the steps before it with friction of the step's start
 };
 
 /// Of each moment that both runs have, but for the first and the last two seconds.

@@ -72,9 +72,8 @@ AnchoringRun run_anchoring(const exercise::ExerciseDef& def, const Anchoring& an
         moment.level = seen.model_level;
         moment.error = seen.model_error;
         const physics::StepCounts& steps = seen.model_steps;
-        moment.poor = static_cast<double>(steps.implicit + steps.friction + steps.contacts + steps.dropped +
-                                          steps.capped) /
-                      static_cast<double>(std::max<std::uint64_t>(1, steps.steps));
+        moment.friction = static_cast<double>(steps.friction) /
+                          static_cast<double>(std::max<std::uint64_t>(1, steps.steps));
         for (const Eigen::Vector3f& node : tackle.chain.nodes)
             moment.nodes.emplace_back(node.cast<double>());
     }

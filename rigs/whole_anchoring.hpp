@@ -37,7 +37,7 @@ struct Moment {
     double cable_out = 0; ///< m
     physics::ModelLevel level = physics::ModelLevel::dynamic;
     physics::ModelError error; ///< as estimated by the model
-    double poor = 0; ///< share of the steps of the last ten seconds that were not what they should be
+    double friction = 0; ///< share of the steps of the last ten seconds with friction of the step's start
     std::vector<physics::Vec3> nodes; ///< m, world
 };
 

@@ -29,7 +29,7 @@ StepCounts operator-(const StepCounts& later, const StepCounts& earlier);
 
 /// Whether results may no longer be trusted to what is published of their error, on these counts of some
 /// seconds: a step that was not solved, something left out, steps that are too long all the time, or more
-/// than a share of steps of first order. The error of that share is in docs/physics.md.
+/// than a share of steps of first order. What these shares go by is in docs/physics.md.
 bool in_doubt(const StepCounts& counts);
 
 } // namespace windlass::physics

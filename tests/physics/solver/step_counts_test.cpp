@@ -60,7 +60,9 @@ TEST(StepCounts, TellContactsForWhichThereWasNoPlace) {
 TEST(StepCounts, AreInDoubtWhenAnythingWasLeftOutOrMuchWasOfFirstOrder) {
     EXPECT_FALSE(in_doubt({}));
     EXPECT_FALSE(in_doubt({.steps = 3000, .implicit = 30, .friction = 170, .contacts = 3000}));
-    EXPECT_TRUE(in_doubt({.steps = 3000, .implicit = 100, .friction = 250}));
+    EXPECT_TRUE(in_doubt({.steps = 3000, .implicit = 310}));
+    EXPECT_FALSE(in_doubt({.steps = 3000, .friction = 900})); // a cable that comes to strain on the bed
+    EXPECT_TRUE(in_doubt({.steps = 3000, .friction = 1600}));
     EXPECT_TRUE(in_doubt({.steps = 3000, .implicit = 1, .unsolved = 1}));
     EXPECT_TRUE(in_doubt({.steps = 3000, .dropped = 1}));
     EXPECT_FALSE(in_doubt({.steps = 3000, .capped = 16})); // a snatch
