@@ -128,9 +128,8 @@ TEST(Question, ThatIsAskedOnceItIsSoIsLostWhereItNeverIs) {
     EXPECT_THAT(falsely.mark().reason, HasSubstr("not asked yet"));
     falsely.run(20);
     EXPECT_EQ(falsely.mark().state, CriterionState::not_met);
-    EXPECT_THAT(
-        falsely.mark().reason,
-        HasSubstr("0:01 never asked, since it was not so: cable out from the lip at least 55 m: all of its points"));
+    EXPECT_THAT(falsely.mark().reason, HasSubstr("0:01 never asked, since it was not so: cable out from the "
+                                                 "lip at least 55 m: all of its points"));
 
     Course late(lesson(ready, end));
     late.report(exercise::ReportCode::anchor_ready);
