@@ -863,13 +863,13 @@ TEST(DebriefTest, LimitThatNeverCameIntoPlayHasNoWorst) {
     Criterion& limit = attempt.assessment->criteria()[1];
     limit.unit("K");
     limit.limit(423);
-    EXPECT_THAT(page_of(attempt, {}), HasSubstr("-266 \u00b0C")) << "6.9 K";
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr(">-266 \u00b0C<")) << "6.9 K";
     limit.milli(0);
     limit.worst(0);
     limit.time_outside(0);
     for (const CriterionState state : {CRITERION_NOT_IN_PLAY, CRITERION_OVERRIDDEN}) {
         limit.state(state);
-        EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("-273 \u00b0C")));
+        EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr(">-273 \u00b0C<")));
         EXPECT_TRUE(json_of(attempt)["assessment"]["criteria"][1]["worst"].is_null());
     }
 }
