@@ -254,6 +254,7 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
     run_ = session.status().run;
     event_ = 0;
     alerts_.clear();
+    raised_.clear();
     heard_.clear(), left_.clear(), serials_.clear(), taken_ = 0;
     levers_ = {}, holders_ = {}, takings_ = {}, asked_ = {};
     was_running_ = was_held_ = false;
@@ -751,7 +752,11 @@ void Checks::look_at_alerts(const run::Session& session, const std::string& trou
                          : alert.condition == rectified_unacknowledged
                              ? from({active_unacknowledged, active_silenced})
                              : from({active_acknowledged, rectified_unacknowledged});
-        if (!may)
+        double& raised = raised_[{alert.code, alert.side}];
+        // One that was raised later is of a course that was gone back before, and is told anew.
+        const bool anew = alert.condition == active_unacknowledged && raised > alert.time;
+        raised = alert.raised_time;
+        if (!may && !anew)
             fail("alerts", fmt::format("{} of side {} is told once", alert.code, alert.side),
                  fmt::format("condition {} again, after {}", static_cast<int>(alert.condition),
                              static_cast<int>(was)));

@@ -184,6 +184,7 @@ private:
     bool was_running_ = false, was_held_ = false; // at the last look
     Counts counts_;
     std::map<std::pair<std::string, int>, run::AlertCondition> alerts_;
+    std::map<std::pair<std::string, int>, double> raised_; // s of exercise
 };
 
 } // namespace windlass::sim

@@ -1,5 +1,6 @@
 #include "sim/pages.hpp"
 
+#include "common/hand_silence.hpp"
 #include "idl/payload.hpp"
 #include "server/dds/convert.hpp"
 #include "server/perceive/perceive.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <set>
 
 namespace windlass::sim {
@@ -24,7 +26,9 @@ constexpr double kStatusEvery = 0.2;  // s, as dds::Publisher
 constexpr double kShipEvery = 0.1;    // s
 constexpr int kFloodOfPage = 500;     // messages at once, more than any session takes
 constexpr double kSaysWhere = 0.25;   // s behind a page's word in which its program repeats it
+constexpr double kSaysFor = 0.3;      // s behind a page's word up to which it does, at the longest
 constexpr double kSabotagedFrom = 10; // s
+constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kLost = std::chrono::duration<double>(gateway::LeverDesk::kLost).count(); // s
 constexpr std::size_t kWaitAtMost = gateway::Outbox::kMost + 8;
 
@@ -92,7 +96,7 @@ struct Pages::Impl::Program {
     // Of its port levers, by what is heard of them:
     gateway::LeverDesk::Page holder = nullptr; // whose words went out last; nobody's any more
     double held_since = 0, own = -10;          // s: that page's first word; when a word of its own counted
-    double other = -10;                        // s: when another station's did
+    double overruled = kNever;                 // s: from when on another station's has taken them
     std::set<std::string> others{};            // that were heard on them
 };
 
@@ -348,7 +352,7 @@ void Pages::Impl::start(Program& program) {
     program.options.number = ++started;
     program.book = {};
     program.runs = std::make_unique<StationProgram>(world, network, program.options);
-    program.holder = nullptr, program.own = program.other = -10;
+    program.holder = nullptr, program.own = -10, program.overruled = kNever;
     program.others.clear();
     // What the server's writers have for who comes late.
     for (const wire::TopicInfo* topic : std::initializer_list<const wire::TopicInfo*>{
@@ -425,9 +429,10 @@ void Pages::Impl::overhear(const Sent& sent) {
         if (!program->runs || !program->options.written) continue;
         program->runs->overhear(sent);
         if (program->runs->speaks_as(0) == sent.writer) {
-            program->own = world.now();
+            program->own = world.now(), program->overruled = kNever;
         } else {
-            program->other = world.now();
+            if (world.now() - std::max(program->own, program->held_since) > kLost)
+                program->overruled = std::min(program->overruled, world.now());
             program->others.insert(levers->origin().source().to_string());
         }
     }
@@ -449,13 +454,15 @@ void Pages::Impl::written(Program& program, gateway::LeverDesk::Page by, Windlas
         throw Failure{"page levers",
                       fmt::format("brake {:g}, speed lever {:g}", one.levers[0], one.levers[1]),
                       fmt::format("brake {:g}, speed lever {:g}", at[0], at[1])};
+    // A hand that was silent for too long and goes on has no word of another's against it from before that.
+    const bool goes_on = world.now() - one.repeated > kHandSilent - kSaysFor - kPagesTick;
     one.repeated = world.now();
-    if (program.holder != by) program.holder = by, program.held_since = world.now();
-    const double mine = std::max(program.own, program.held_since);
-    if (program.other - mine > kLost + 2 * kPagesTick)
+    if (program.holder != by || goes_on)
+        program.holder = by, program.held_since = world.now(), program.overruled = kNever;
+    if (world.now() - program.overruled > 2 * kPagesTick)
         throw Failure{
             "page levers", "its hand is off levers that another station has",
-            fmt::format("a word, {:.2f} s behind the last of its own that counted", program.other - mine)};
+            fmt::format("a word, {:.2f} s behind the one that took them", world.now() - program.overruled)};
 }
 
 // ---- its pages
