@@ -45,6 +45,7 @@ exercise::Order pick_up(const exercise::Order& order, const exercise::Order& the
 } // namespace
 
 void LeverPickup::hold() {
+    begins_ = true;
     for (auto& station : senders_) {
         if (!station) continue;
         station->then = station->last;
@@ -71,6 +72,7 @@ exercise::Order LeverPickup::taken_up(const exercise::Order& order, const Receiv
         if (lies_there) station->then = order, station->moved = 0;
     }
     station->last = order;
+    if (begins_ && station->then) station->then = order;
     return station->then ? pick_up(order, *station->then, station->moved, exercise) : order;
 }
 

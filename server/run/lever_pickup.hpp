@@ -23,6 +23,9 @@ class LeverPickup {
 public:
     /// The exercise has been restored, reset or loaded.
     void hold();
+    /// All that had come by then has been heard. Until now nothing was a move in the new run: it was sent
+    /// before that began, by a server that stood still perhaps long before.
+    void begun() { begins_ = false; }
 
     /// The order as it is to be applied to the exercise, which is in that run (RunStatus::run).
     exercise::Order taken_up(const exercise::Order& order, const ReceivedOrder& from, std::uint64_t run,
@@ -38,6 +41,7 @@ private:
         unsigned moved = 0;                    ///< a bit for each lever that was moved since
     };
     std::array<std::optional<Sender>, kAllLeverGroups.size()> senders_;
+    bool begins_ = false;
 };
 
 } // namespace windlass::run

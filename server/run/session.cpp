@@ -211,6 +211,7 @@ void Session::carry_out(const Inbox& inbox, double now) {
         }
         take_what_waited();
     }
+    lever_pickup_.begun();
     for (const WriterKey& writer : inbox.left)
         lever_ownership_.leave(writer);
     look_for_hands();

@@ -200,6 +200,31 @@ TEST_F(LateWordsOfAHandsKilledPrograms, OfWhichThereWereTwoDoNotHideWhereThePres
     EXPECT_EQ(say(3, 1001, 0.25), 0.25);
 }
 
+TEST_F(SessionTest, WordsThatCameWithTheResetAreNoMovesBehindIt) {
+    SessionOptions numbered = options();
+    numbered.first_run = 1000;
+    Session session({}, numbered);
+    const double as_filed = exercise::ExerciseDef{}.tackle[0].brake;
+    const auto word = [](double brake) {
+        return ReceivedOrder{
+            .source = "trainee-1", .what = levers(brake), .writer = {1}, .moved_in_run = 1000};
+    };
+    const auto brake = [&] {
+        return std::get<exercise::WindlassOrder>(session.orders().back().command).brake;
+    };
+    Inbox inbox; // of a server that stood still meanwhile
+    inbox.orders = {
+        {.source = "instructor", .what = run_order(RunAction::reset)}, word(0.25), word(0.75), word(0.5)};
+    session.carry_out(inbox, 0);
+    EXPECT_EQ(brake(), as_filed) << "moved before the reset, all of it";
+    inbox.orders = {word(0.5)};
+    session.carry_out(inbox, 0.1);
+    EXPECT_EQ(brake(), as_filed) << "and not since";
+    inbox.orders = {word(0.625)};
+    session.carry_out(inbox, 0.2);
+    EXPECT_EQ(brake(), 0.625) << "by a hand that has not heard of the reset yet";
+}
+
 TEST_F(SessionTest, HandThatLetsGoIsNotSaidToBeUnheard) {
     Session session({}, options());
     WriterKey writer{7};
