@@ -161,6 +161,7 @@ private:
         double heard = 0; // s of listening
     };
     bool has_left(const Levers& levers) const;
+    void find_levers(const exercise::ExerciseDef& def, const exercise::Exercise& in); // as they stand in it
     std::array<Levers, 3> levers_;
     std::vector<Sent> heard_;                         // levers, since the last look
     std::ptrdiff_t taken_ = 0;                        // of them, up to here

@@ -56,7 +56,7 @@ std::string figure_words(const Trials& trials, const Answer& answer, const asses
     const assess::CriterionResult& now = result.criteria[answer.criterion];
     std::string text;
     if (criterion.kind == assess::CriterionKind::limit) {
-        const assess::Quantity& quantity = assess::quantities()[static_cast<std::size_t>(criterion.quantity)];
+        const assess::Quantity& quantity = assess::quantity_at(criterion.quantity);
         text = fmt::format("{} {} instead of {}, ", quantity.text, figure_text(now.worst, quantity.unit),
                            figure_text(answer.lost.worst, quantity.unit));
     }

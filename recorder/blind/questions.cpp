@@ -85,7 +85,7 @@ std::string condition_words(const Lesson& lesson, const Condition& condition) {
     for (const assess::Sign& sign : condition.signs)
         parts.push_back(sign_words(lesson, sign));
     for (const assess::Bounds& bounds : condition.bounds)
-        parts.emplace_back(assess::quantities()[static_cast<std::size_t>(bounds.quantity)].text);
+        parts.emplace_back(assess::quantity_at(bounds.quantity).text);
     if (condition.phases != 0) parts.emplace_back("what the anchor does");
     std::vector<std::string> either, neither;
     for (const Condition& each : condition.either)
@@ -103,7 +103,7 @@ std::string asked(const Lesson& lesson, const Criterion& criterion) {
     switch (criterion.kind) {
     case CriterionKind::limit:
         return fmt::format("How well was this kept within what you hold right: {}?",
-                           assess::quantities()[static_cast<std::size_t>(criterion.quantity)].text);
+                           assess::quantity_at(criterion.quantity).text);
     case CriterionKind::sequence: {
         std::vector<std::string> steps;
         for (const Condition& step : criterion.steps)

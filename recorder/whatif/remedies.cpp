@@ -28,7 +28,7 @@ std::optional<double> time_of(const whatif::Trials& trials, const whatif::Answer
 }
 
 debrief::TwoCourses shown(const whatif::TwoCurves& curves) {
-    const assess::Quantity& quantity = assess::quantities()[static_cast<std::size_t>(curves.quantity)];
+    const assess::Quantity& quantity = assess::quantity_at(curves.quantity);
     const std::string unit = quantity.unit;
     const debrief::SeatUnit as =
         unit == "yes" ? debrief::SeatUnit{"1: yes"} : debrief::seat_unit(unit, quantity.name);

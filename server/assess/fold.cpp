@@ -377,7 +377,7 @@ bool holds(const Condition& condition, const Lesson& lesson, State& state, const
 }
 
 double figure(int quantity, const Snapshot& seen, const TackleView& tackle, const State& state) {
-    const Quantity& one = quantities()[static_cast<std::size_t>(quantity)];
+    const Quantity& one = quantity_at(quantity);
     return one.read != nullptr ? one.read(seen, tackle)
                                : state.growth.at(static_cast<std::size_t>(tackle.side)).rise();
 }

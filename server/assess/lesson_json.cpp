@@ -508,7 +508,7 @@ private:
 
     void read_number_asked(const Json& one, const std::string& at, Question& to) {
         to.quantity = known_quantity(one.at("of"), at + "/of");
-        const Quantity& quantity = quantities()[static_cast<std::size_t>(to.quantity)];
+        const Quantity& quantity = quantity_at(to.quantity);
         to.unit = one.value("unit", quantity.unit);
         to.one = one_of(to.unit, quantity);
         if (to.one == 0) {

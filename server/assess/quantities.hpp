@@ -20,6 +20,10 @@ struct Quantity {
 };
 
 std::span<const Quantity> quantities();
+/// The one at that place of the table.
+inline const Quantity& quantity_at(int place) {
+    return quantities()[static_cast<std::size_t>(place)];
+}
 
 /// How much of a quantity one of another unit is: 1000 of "kN" where it is in N, 1 of its own unit; 0: that
 /// unit does not belong to it.

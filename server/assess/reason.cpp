@@ -5,6 +5,7 @@
 #include "server/assess/marks.hpp"
 #include "server/assess/order_done.hpp"
 #include "server/assess/quantities.hpp"
+#include "server/assess/quantity_words.hpp"
 #include "server/assess/result.hpp"
 #include "server/exercise/talk/bridge_orders.hpp"
 #include "words/words.hpp"
@@ -64,114 +65,11 @@ std::string whole_clauses(std::string_view text, std::size_t bytes) {
     return std::string(end == 0 ? first : first.substr(0, end - 1));
 }
 
-/// The first of two figures that have one unit.
-std::string bare_figure(double value, const std::string& unit) {
-    const std::string text = figure_text(value, unit);
-    return text.substr(0, text.find(' '));
-}
-
 std::string spaced(std::string_view code) {
     std::string text(code);
     std::ranges::replace_if(
         text, [](char c) { return c == '_' || c == '.' || c == '-'; }, ' ');
     return text;
-}
-
-const Quantity& quantity_at(int place) {
-    return quantities()[static_cast<std::size_t>(place)];
-}
-
-/// A quantity's name without what explains it: "speed lever" of "speed lever (-1 lower, 1 heave)".
-std::string short_name(const Quantity& quantity) {
-    const std::string_view text = quantity.text;
-    return std::string(text.substr(0, std::min(text.find(", "), text.find(" ("))));
-}
-
-/// A lever whose figure is a share of its travel, to either side of a rest.
-struct LeverWords {
-    std::string_view name, rest, back, ahead;
-};
-constexpr std::array kLeverWords{
-    LeverWords{"speed lever", "at zero", "lower", "heave"},
-    LeverWords{"engine", "stopped", "astern", "ahead"},
-};
-constexpr double kAtRest = 0.05; // of its travel
-
-const LeverWords* lever_named(const Quantity& quantity) {
-    const auto* found = std::ranges::find(kLeverWords, short_name(quantity), &LeverWords::name);
-    return found == kLeverWords.end() ? nullptr : found;
-}
-
-bool is_brake_wheel(const Quantity& quantity) {
-    return std::string_view(quantity.name) == "brake_position";
-}
-
-std::string hundredth_parts(double share) {
-    return std::to_string(std::lround(100 * std::abs(share))) + " %";
-}
-
-/// "at zero", "30 % heave".
-std::string lever_at(const LeverWords& lever, double value) {
-    if (std::abs(value) <= kAtRest) return std::string(lever.rest);
-    return hundredth_parts(value) + ' ' + std::string(value < 0 ? lever.back : lever.ahead);
-}
-
-/// "speed lever at zero", "speed lever on heave", "engine between 4 % astern and 26 % ahead".
-std::string lever_bounds(const LeverWords& lever, const Bounds& bounds) {
-    const std::string name = std::string(lever.name) + ' ';
-    const double least = std::max(bounds.above, bounds.at_least), most = bounds.below;
-    if (least > -kNoLimit && most < kNoLimit) {
-        if (least >= -kAtRest && most <= kAtRest) return name + std::string(lever.rest);
-        return name + "between " + lever_at(lever, least) + " and " + lever_at(lever, most);
-    }
-    if (least >= 0 && least <= kAtRest) return name + "on " + std::string(lever.ahead);
-    if (most <= 0 && most >= -kAtRest) return name + "on " + std::string(lever.back);
-    if (most > 0 && most <= kAtRest) return name + "not on " + std::string(lever.ahead);
-    return name + (least > -kNoLimit ? "above " + lever_at(lever, least) : "below " + lever_at(lever, most));
-}
-
-/// "brake hard on", "brake eased", "brake open": what a mate calls it, the figure is the lesson's.
-std::string brake_bounds(const Bounds& bounds) {
-    constexpr double kCalledHardOn = 0.8,
-                     kCalledOpen = 0.25; // of the wheel's travel, from which people call it so
-    const double least = std::max(bounds.above, bounds.at_least);
-    if (least > -kNoLimit && bounds.below < kNoLimit)
-        return "brake between " + hundredth_parts(least) + " and " + hundredth_parts(bounds.below) + " on";
-    if (least > -kNoLimit)
-        return least >= kCalledHardOn ? "brake hard on" : "brake above " + hundredth_parts(least);
-    return bounds.below <= kCalledOpen ? "brake open" : "brake eased";
-}
-
-/// "brake hard on", "cable out from the lip below 6 shackles", "stopper closed", "the motor has not tripped".
-std::string bounds_words(const Bounds& bounds) {
-    const Quantity& quantity = quantity_at(bounds.quantity);
-    const std::string unit = quantity.unit;
-    if (unit == "yes") return bounds.below < kNoLimit ? quantity.not_so : short_name(quantity);
-    if (is_brake_wheel(quantity)) return brake_bounds(bounds);
-    if (const LeverWords* lever = lever_named(quantity)) return lever_bounds(*lever, bounds);
-    std::string text = unit.empty() ? quantity.text : short_name(quantity); // a scale wants its ends told
-    if (bounds.above > -kNoLimit && bounds.below < kNoLimit)
-        return text + " between " + bare_figure(bounds.above, unit) + " and " +
-               figure_text(bounds.below, unit);
-    if (bounds.at_least > -kNoLimit) text += " at least " + figure_text(bounds.at_least, unit);
-    if (bounds.above > -kNoLimit) text += " above " + figure_text(bounds.above, unit);
-    if (bounds.below < kNoLimit) text += " below " + figure_text(bounds.below, unit);
-    return text;
-}
-
-/// What was found of a figure: "brake wheel was open", "cable out from the lip was 6.97 shackles", "stopper
-/// open".
-std::string figure_found(const Quantity& quantity, double value) {
-    const std::string unit = quantity.unit;
-    if (unit == "yes") return value > 0.5 ? short_name(quantity) : quantity.not_so;
-    if (is_brake_wheel(quantity)) {
-        constexpr double kRounded = 0.005;
-        if (value < kRounded) return "brake was open";
-        return value > 1 - kRounded ? "brake was hard on" : "brake was " + hundredth_parts(value) + " on";
-    }
-    if (const LeverWords* lever = lever_named(quantity))
-        return std::string(lever->name) + " was " + lever_at(*lever, value);
-    return short_name(quantity) + " was " + figure_text(value, unit);
 }
 
 std::string phases_words(unsigned phases) {
@@ -240,7 +138,7 @@ std::string condition_words(const Lesson& lesson, const Condition& condition) {
 /// the lip was 3.6 shackles", "stopper open".
 std::string found_words(const Lesson& lesson, const Condition& condition, int part, double value) {
     const auto place = static_cast<std::size_t>(std::max(part, 0)), bounded = condition.bounds.size();
-    if (place < bounded) return figure_found(quantity_at(condition.bounds[place].quantity), value);
+    if (place < bounded) return found_words(quantity_at(condition.bounds[place].quantity), value);
     if (place == bounded) {
         const auto phase =
             static_cast<std::size_t>(std::clamp(value, 0.0, words::kAnchorPhaseNames.size() - 1.0));
@@ -379,8 +277,9 @@ std::string order_faults(const Lesson& lesson, const State& state, std::size_t k
     } else if (over) {
         join(text, ", ", "not carried out");
         const std::array sides{" by port", " by starboard"};
-        for (std::size_t k = 0; order.done.size() > 1 && k < order.done.size(); ++k)
-            if (course.each_done.at(k) < 0) text += sides.at(static_cast<std::size_t>(order.done[k].side));
+        for (std::size_t one = 0; order.done.size() > 1 && one < order.done.size(); ++one)
+            if (course.each_done.at(one) < 0)
+                text += sides.at(static_cast<std::size_t>(order.done[one].side));
         text += not_done_until(lesson, state, k, rate);
     }
     return text;

@@ -205,7 +205,7 @@ CriterionResult criterion_result(const Lesson& lesson, const State& state, std::
             .text = criterion.text,
             .objective = criterion.objective,
             .reason = reason(lesson, state, k, tick_rate),
-            .unit = limited ? quantities()[static_cast<std::size_t>(criterion.quantity)].unit : "",
+            .unit = limited ? quantity_at(criterion.quantity).unit : "",
             .kind = criterion.kind,
             .state = mark.overridden ? CriterionState::overridden : mark.state,
             .limit = !limited                   ? 0

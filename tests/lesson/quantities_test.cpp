@@ -12,7 +12,7 @@ namespace windlass::assess {
 namespace {
 
 double quantity(const char* name, const exercise::Snapshot& seen) {
-    return quantities()[static_cast<std::size_t>(quantity_of(name))].read(seen, seen.tackle.front());
+    return quantity_at(quantity_of(name)).read(seen, seen.tackle.front());
 }
 
 /// A ship that heads by so many degrees, her pipes 8 m apart and 110 m from midships, between two anchors 300

@@ -279,7 +279,7 @@ TEST(WhatIf, BothCoursesPartAtTheChangeAndOnlyOneKeepsToWhatIsAsked) {
     ASSERT_TRUE(both);
     ASSERT_EQ(both->curves.size(), 1U);
     const TwoCurves& wheel = both->curves[0];
-    EXPECT_STREQ(assess::quantities()[static_cast<std::size_t>(wheel.quantity)].name, "brake_position");
+    EXPECT_STREQ(assess::quantity_at(wheel.quantity).name, "brake_position");
     EXPECT_EQ(both->lost, answer.lost_time);
     EXPECT_NEAR(wheel.was.front().time, both->changed - kWindowBefore, 0.11);
     EXPECT_NEAR(wheel.was.back().time, both->lost, 0.11) << "with the motor's burst the lesson was over";
