@@ -235,7 +235,7 @@ inline constexpr Topic<Alert> forecastle_alert{{.name = "ForecastleAlert",
                                                 .transient_local = true,
                                                 .depth = 1,
                                                 .instances = 64}};
-/// About the simulation itself.
+/// For instructors alone: what no panel of a ship has.
 inline constexpr Topic<Alert> server_alert{{.name = "ServerAlert",
                                             .type = "Alert",
                                             .from_server = true,

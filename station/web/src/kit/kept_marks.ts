@@ -17,9 +17,19 @@ export function keepMarks(head: Element, body: Element): void {
 
 export const dropMarks = (): void => sessionStorage.removeItem(kKept);
 
+/** Headline and body of those that are kept; what is damaged is none. */
+function keptMarks(): string[] {
+  try {
+    const kept: unknown = JSON.parse(sessionStorage.getItem(kKept) ?? "[]");
+    return Array.isArray(kept) ? kept.filter((part) => typeof part === "string") : [];
+  } catch {
+    return [];
+  }
+}
+
 /** Opens those that were read when the page was loaded anew. */
 export function showKeptMarks(): void {
-  const [head, marks] = JSON.parse(sessionStorage.getItem(kKept) ?? "[]") as string[];
+  const [head, marks] = keptMarks();
   if (head === undefined || marks === undefined) return;
   const body = h("div", { class: "scroll", tabIndex: 0, role: "group", "aria-label": t("marks"), innerHTML: marks });
   const dialog = h(
