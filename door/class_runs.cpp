@@ -156,7 +156,12 @@ bool ClassRuns::holds_for_a_question(const std::string& exercise) const {
 /// From when somebody sits there: so the recorder hears before it is started.
 void ClassRuns::record(const TrainingClass& of, const std::string& exercise) {
     const auto sits = [&](const Trainee& each) { return each.exercise == exercise; };
-    if (recordings_.contains(exercise) || std::ranges::none_of(of.trainees, sits)) return;
+    if (const auto made = recordings_.find(exercise); made != recordings_.end()) {
+        // Another one than was begun, where its recorder was lost.
+        if (const auto now = instructor_.recording_of(exercise)) made->second = *now;
+        return;
+    }
+    if (std::ranges::none_of(of.trainees, sits)) return;
     if (!instructor_.recording_of(exercise)) { // else somebody at its desk was faster
         try {
             instructor_.record(exercise, true);

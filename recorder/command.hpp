@@ -23,6 +23,7 @@ enum ExitCode {
 using Command = std::function<int()>;
 
 void add_record(CLI::App& app, Command& chosen);
+void add_record_many(CLI::App& app, Command& chosen);
 void add_info(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_control(CLI::App& app, Command& chosen);

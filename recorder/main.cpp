@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", std::string("recorder ") + WINDLASS_VERSION);
     Command chosen;
     add_record(app, chosen);
+    add_record_many(app, chosen);
     add_info(app, chosen);
     add_replay(app, chosen);
     add_control(app, chosen);

@@ -2,7 +2,7 @@
 
 namespace windlass::recorder {
 
-Capture::Capture(const wire::JoinOptions& session, SampleQueue& queue) : participant_(session) {
+Capture::Capture(const wire::Participant& participant, SampleQueue& queue) : participant_(participant) {
     readers_.reserve(wire::topics::all.size());
     for (std::size_t topic = 0; topic < wire::topics::all.size(); ++topic) {
         readers_.emplace_back(participant_, wire::topics::all[topic],

@@ -8,8 +8,8 @@ namespace windlass::recorder {
 
 class Capture {
 public:
-    /// Joins the exercise. Throws std::runtime_error when DDS does not start.
-    Capture(const wire::JoinOptions& session, SampleQueue& queue);
+    /// Of the partition that the participant is in. Throws std::runtime_error when DDS makes no reader.
+    Capture(const wire::Participant& participant, SampleQueue& queue);
 
     /// Samples that were no payloads of their topic's type, and are not recorded.
     std::uint64_t wrong() const;

@@ -69,9 +69,15 @@ Gateway::Gateway(GatewayOptions options)
                                         role.classroom_hears);
     classroom_orders_ = std::make_unique<OrderWriters>(classroom_->participant(), role.classroom_writes,
                                                        options_.member.name);
-    if (!options_.replays && !options_.recorder.empty())
-        options_.replays =
-            std::make_shared<Replays>(options_.recorder, options_.recorder_arguments, options_.log);
+    if (!options_.recorder.empty()) {
+        std::vector<std::string> arguments = options_.recorder_arguments;
+        if (!options_.config_root.empty())
+            arguments.insert(arguments.end(), {"--config-root", options_.config_root.string()});
+        recorders_.emplace(options_.recorder, std::move(arguments));
+        if (!options_.replays)
+            options_.replays =
+                std::make_shared<Replays>(options_.recorder, options_.recorder_arguments, options_.log);
+    }
     if (!options_.exercise.empty()) desk(options_.exercise);
 }
 

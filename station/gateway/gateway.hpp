@@ -7,6 +7,7 @@
 #include "station/gateway/exercise_desk.hpp"
 #include "station/gateway/line_log.hpp"
 #include "station/gateway/page_host.hpp"
+#include "station/gateway/recorders.hpp"
 #include "station/gateway/replays.hpp"
 #include "station/gateway/session.hpp"
 
@@ -32,7 +33,7 @@ struct GatewayOptions {
     /// The rest is an instructor's, but that an assessor reads events_of and past_of, too. Program that
     /// records; empty: none is there.
     std::filesystem::path recorder;
-    std::vector<std::string> recorder_arguments; ///< beside partition and output: domain, network, identity
+    std::vector<std::string> recorder_arguments;     ///< domain, network, identity
     std::filesystem::path recordings = "recordings"; ///< folder of them
     std::filesystem::path config_root;               ///< whose files a recording takes along; empty: "config"
     /// A sample of RestoreCommand of a recording's state at that position (s from its beginning). Runs on a
@@ -111,8 +112,8 @@ private:
         Clock::time_point used;
     };
     struct Recording {
-        std::string name;
-        std::unique_ptr<RecorderProcess> process;
+        std::string asked_as, name; ///< not the same where recorders were lost: each was followed by another
+        int recorders = 1;
         bool stopping = false;
     };
     /// A recording's state on its way into an exercise.
@@ -158,6 +159,9 @@ private:
     void levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder,
                         const std::string& taken_by);
     void tend_recorders();
+    /// Throws Refused.
+    void begin_recording(const std::string& exercise, const Recording& recording);
+    void record_on(const std::string& exercise, const Recording& was);
     void tell_news();
     void tell_alerts();
 
@@ -169,6 +173,7 @@ private:
     CameraWatch cameras_;
     std::map<std::string, Desk> desks_; // by exercise
     std::set<PageSession*> pages_;
+    std::optional<Recorders> recorders_;          // where there is a recorder
     std::map<std::string, Recording> recordings_; // by exercise
     std::map<std::string, std::string> recorded_; // the last that was made here, by exercise
     std::vector<Continuation> continuations_;

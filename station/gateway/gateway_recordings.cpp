@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <unistd.h>
 
 namespace windlass::gateway {
 
@@ -19,6 +18,7 @@ namespace {
 
 constexpr auto kDiscovery = 5s; // until an exercise that has just been joined is heard
 constexpr std::size_t kReadings = 4;
+constexpr int kRecorders = 4; // that one recording may lose, less one
 
 Refused no_instructor(const char* what) {
     return {"", "", what, "for an instructor"};
@@ -27,12 +27,11 @@ Refused no_instructor(const char* what) {
 } // namespace
 
 void Gateway::record(const std::string& exercise, bool on, const std::string& wanted) {
-    if (options_.seat != station::Seat::instructor || options_.recorder.empty())
-        throw no_instructor("a recorder");
+    if (options_.seat != station::Seat::instructor || !recorders_) throw no_instructor("a recorder");
     const auto running = recordings_.find(exercise);
     if (!on) {
         if (running == recordings_.end()) throw Refused("", "on", "false", "nothing is recorded here");
-        running->second.process->stop();
+        recorders_->end(exercise);
         running->second.stopping = true;
         return;
     }
@@ -43,25 +42,24 @@ void Gateway::record(const std::string& exercise, bool on, const std::string& wa
                                                    std::chrono::system_clock::now().time_since_epoch())
                                                    .count())
                                  : wanted;
-    if (!wire::is_exercise_name(name) || name.starts_with('.'))
+    begin_recording(exercise, {.asked_as = name, .name = name});
+    tell_news();
+}
+
+void Gateway::begin_recording(const std::string& exercise, const Recording& recording) {
+    if (!wire::is_exercise_name(recording.name) || recording.name.starts_with('.'))
         throw Refused("", "name", "this name", "1 to 64 letters, digits, dashes, underscores and dots");
-    const auto folder = options_.recordings / name;
-    if (std::filesystem::exists(folder)) throw Refused("", "name", name, "a name that no recording has yet");
-    std::vector<std::string> arguments{
-        "record", "--partition", exercise, "--output", folder.string(), "--parent", std::to_string(getpid())};
-    if (!options_.config_root.empty())
-        arguments.insert(arguments.end(), {"--config-root", options_.config_root.string()});
-    std::ranges::copy(options_.recorder_arguments, std::back_inserter(arguments));
+    const auto folder = options_.recordings / recording.name;
+    if (std::filesystem::exists(folder))
+        throw Refused("", "name", recording.name, "a name that no recording has yet");
     try {
         std::filesystem::create_directories(options_.recordings);
-        recordings_[exercise] = {name, std::make_unique<RecorderProcess>(options_.recorder, arguments),
-                                 false};
+        recorders_->begin(exercise, folder);
     } catch (const std::exception& error) {
-        recordings_.erase(exercise);
-        throw Refused("", "name", name, error.what());
+        throw Refused("", "name", recording.name, error.what());
     }
+    recordings_[exercise] = recording;
     log("recording exercise " + exercise + " into " + folder.string());
-    tell_news();
 }
 
 std::optional<std::string> Gateway::recording_of(const std::string& exercise) const {
@@ -70,15 +68,29 @@ std::optional<std::string> Gateway::recording_of(const std::string& exercise) co
 }
 
 void Gateway::tend_recorders() {
-    for (auto at = recordings_.begin(); at != recordings_.end();) {
-        if (!at->second.process->ended()) {
-            ++at;
-            continue;
-        }
-        log((at->second.stopping ? "recorded " : "the recorder ended by itself: ") + at->second.name);
-        if (std::filesystem::exists(options_.recordings / at->second.name)) // something was heard
-            recorded_[at->first] = at->second.name;
-        at = recordings_.erase(at);
+    if (!recorders_) return;
+    for (const Recorders::Ended& each : recorders_->ended()) {
+        const auto at = recordings_.find(each.exercise);
+        if (at == recordings_.end()) continue;
+        Recording was = at->second;
+        recordings_.erase(at);
+        log((was.stopping ? "recorded " : "the recorder ended by itself: ") + was.name);
+        if (std::filesystem::exists(options_.recordings / was.name)) // something was heard
+            recorded_[each.exercise] = was.name;
+        if (each.with_its_process && !was.stopping && was.recorders < kRecorders)
+            record_on(each.exercise, was);
+    }
+}
+
+/// What came to an end with its recorder goes on as another recording: what was between is in neither.
+void Gateway::record_on(const std::string& exercise, const Recording& was) {
+    const int recorders = was.recorders + 1;
+    try {
+        begin_recording(exercise, {.asked_as = was.asked_as,
+                                   .name = fmt::format("{}-{}", was.asked_as, recorders),
+                                   .recorders = recorders});
+    } catch (const Refused& refusal) {
+        log("exercise " + exercise + " is recorded no more: " + refusal.what());
     }
 }
 

@@ -6,7 +6,10 @@
 #include "tests/wire/run_program.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <csignal>
+#include <fstream>
 #include <sstream>
 
 namespace windlass::test {
@@ -82,6 +85,65 @@ TEST_F(InstructorStation, RecordsAnExerciseAndGoesOnLiveFromIt) {
                                    [](const Event& event) { return event.code() == "exercise.restored"; });
     }));
     EXPECT_EQ(status().state(), RUN_RUNNING) << "the recorded exercise itself goes on";
+}
+
+/// Processes that it has started and that are there.
+std::vector<pid_t> children_of(pid_t parent) {
+    std::vector<pid_t> children;
+    for (const auto& each : fs::directory_iterator("/proc")) {
+        if (!std::isdigit(static_cast<unsigned char>(each.path().filename().native().front()))) continue;
+        std::ifstream file(each.path() / "stat");
+        const std::string stat{std::istreambuf_iterator<char>(file), {}};
+        const auto name_ends = stat.rfind(')');
+        if (name_ends == std::string::npos) continue; // gone
+        std::istringstream fields(stat.substr(name_ends + 1));
+        char state = 0;
+        pid_t its_parent = 0;
+        if (fields >> state >> its_parent && its_parent == parent && state != 'Z')
+            children.push_back(std::stoi(each.path().filename()));
+    }
+    return children;
+}
+
+TEST_F(InstructorStation, RecordsSeveralExercisesWithOneRecorderAndGoesOnWhereThatIsLost) {
+    const auto desk = instructor({"--recordings", folder_.string()});
+    PageClient teacher(desk->address);
+    PageClient::Options options;
+    options.exercise = "second";
+    PageClient second(desk->address, options);
+    const auto times = [&](const std::string& what) {
+        const std::string text = desk->text();
+        std::size_t count = 0;
+        for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+            ++count;
+        return count;
+    };
+    teacher.say({{"op", "record"}, {"id", 1}, {"on", true}, {"name", "monday"}});
+    second.say({{"op", "record"}, {"id", 1}, {"on", true}, {"name", "tuesday"}});
+    ASSERT_TRUE(eventually([&] { return times("recording partition") == 2; })) << desk->text();
+    const auto has_begun = [&](const char* name) {
+        try {
+            return recording::Recording({folder_ / name}).seconds() > 0;
+        } catch (const std::exception&) {
+            return false; // nothing is on the disk yet
+        }
+    };
+    ASSERT_TRUE(eventually([&] { return has_begun("monday") && has_begun("tuesday"); })) << desk->text();
+
+    const auto recorders = children_of(desk->pid());
+    ASSERT_EQ(recorders.size(), 1U);
+    kill(recorders.front(), SIGKILL);
+    EXPECT_FALSE(teacher.wait_for("hello", {{"recording", "monday-2"}}).is_null()) << desk->text();
+    EXPECT_FALSE(second.wait_for("hello", {{"recording", "tuesday-2"}}).is_null()) << desk->text();
+    ASSERT_TRUE(eventually([&] { return has_begun("monday-2") && has_begun("tuesday-2"); })) << desk->text();
+
+    teacher.say({{"op", "record"}, {"id", 2}, {"on", false}});
+    EXPECT_FALSE(teacher.wait_for("hello", {{"recorded", "monday-2"}, {"recording", nullptr}}).is_null());
+    EXPECT_TRUE(children_of(desk->pid()).size() == 1U) << "tuesday goes on";
+    second.say({{"op", "record"}, {"id", 2}, {"on", false}});
+    EXPECT_TRUE(eventually([&] { return children_of(desk->pid()).empty(); })) << desk->text();
+    for (const char* name : {"monday", "tuesday", "monday-2", "tuesday-2"})
+        EXPECT_NO_THROW(recording::Recording({folder_ / name})) << name;
 }
 
 /// What the client library of Foxglove met.

@@ -4,13 +4,16 @@
 #include "tests/wire/recorder_rig.hpp"
 
 #include "idl/wire.hpp"
+#include "recorder/command.hpp"
 #include "recorder/info/figures.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <fstream>
 #include <set>
+#include <sys/stat.h>
 
 namespace windlass::test {
 using namespace rigs;
@@ -367,6 +370,53 @@ TEST(RecorderProgram, ExportsATableForEachTopicAndJsonLines) {
         ASSERT_TRUE(message.contains("time") || message.contains("definition_hash")) << line;
     }
     EXPECT_EQ(read, total);
+}
+
+TEST(RecordMany, KeepsEachOfItsExercisesByItself) {
+    const Folder folder;
+    const std::string a = folder / "a", b = folder / "b", fifo = folder / "orders";
+    ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+    // First: it would hold the orders open that are opened below.
+    const ServerProcess server(
+        let_go("1000", {"--partition", "a", "--exercise",
+                        WINDLASS_CONFIG_DIR "/exercises/let_go_port_25m.json", "--partition", "b"}));
+    ChildProcess recorder({"/bin/sh", "-c",
+                           "exec " WINDLASS_RECORDER " record-many --config-root " WINDLASS_CONFIG_DIR
+                           " --domain " +
+                               std::to_string(own_domain()) + " < " + fifo});
+    std::ofstream orders(fifo); // waits for the other end
+    const auto record = [&](const std::string& exercise, const std::string& output) {
+        orders << nlohmann::json{{"record", exercise}, {"output", output}} << std::endl;
+    };
+    record("a", a);
+    record("b", b);
+    record("a", folder / "once_more");
+    record("c", "/proc/nowhere"); // which has no room
+    record("../d", folder / "d");
+    orders << "nonsense\n"
+           << R"({"end": "d"})" << std::endl;
+    ASSERT_TRUE(eventually([&] { return !statuses_in(a).empty() && !statuses_in(b).empty(); }))
+        << recorder.text();
+
+    orders << R"({"end": "a"})" << std::endl;
+    ASSERT_TRUE(eventually([&] {
+        return recorder.text().find(R"({"code":0,"ended":"a"})") != std::string::npos;
+    })) << recorder.text();
+    EXPECT_EQ(run_recorder("info " + a).code, 0);
+    const auto so_far = statuses_in(b).size();
+    EXPECT_TRUE(eventually([&] { return statuses_in(b).size() > so_far; })) << "b goes on";
+
+    orders.close(); // as it is when the program that began it has gone
+    EXPECT_EQ(recorder.exit_code(), recorder::kDisk) << "of c";
+    const std::string text = recorder.text();
+    EXPECT_THAT(text, HasSubstr(R"({"code":5,"ended":"c"})"));
+    EXPECT_THAT(text, HasSubstr(R"({"code":0,"ended":"b"})"));
+    EXPECT_THAT(text, HasSubstr("exercise a is recorded already"));
+    EXPECT_THAT(text, HasSubstr("nonsense"));
+    EXPECT_THAT(text, HasSubstr("../d"));
+    EXPECT_EQ(run_recorder("info " + b).code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder / "d"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "once_more"));
 }
 
 } // namespace
