@@ -417,10 +417,15 @@ void Session::keep_events() {
 }
 
 void Session::log(words::EventCode code, std::string text, int side, double value) {
+    log(code, code.row().severity, std::move(text), side, value);
+}
+
+/// Of a severity that hangs on what is so, and not on the code alone.
+void Session::log(words::EventCode code, words::Severity severity, std::string text, int side, double value) {
     events_.push_back({.tick = tick_,
                        .time = time_,
                        .number = ++event_number_,
-                       .severity = code.row().severity,
+                       .severity = severity,
                        .code = std::string(code.row().name),
                        .side = side,
                        .value = value,

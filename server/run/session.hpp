@@ -215,6 +215,7 @@ private:
     void watch_the_foreign_ship();
     void watch_the_model();
     void log(words::EventCode code, std::string text, int side = -1, double value = 0);
+    void log(words::EventCode code, words::Severity severity, std::string text, int side, double value = 0);
     void log(const RefusalLog::Told& refusal);
     AlertView alert(words::AlertCode code, int side, double value,
                     const std::vector<std::string>& said = {}) const;

@@ -91,18 +91,22 @@ void Session::leave_alone(LeverGroup levers, const LeverOwnership::Hand& hand) {
         apply(order, kServerName);
         left = "speed lever at zero; brake, clutch and stopper as they were";
     }
-    if (hand.source == kServerName) { // somebody may sit there who has not touched them: no alarm
-        log("levers.lost", fmt::format("nobody has moved the levers of the {} yet: {}", name(levers), left),
+    // Whoever has secured an anchor goes away from it; whoever is not heard may lie beside it.
+    const bool wants_no_hand = (hand.let_go || hand.source == kServerName) && is_secured(snapshot_, levers);
+    const auto told = [&](std::string text) {
+        constexpr words::EventCode kLost = "levers.lost";
+        log(kLost, wants_no_hand ? words::Severity::info : kLost.row().severity, std::move(text),
             side_of(levers));
+    };
+    if (hand.source == kServerName) { // somebody may sit there who has not touched them: no alarm
+        told(fmt::format("nobody has moved the levers of the {} yet: {}", name(levers), left));
         return;
     }
-    log("levers.lost",
-        hand.let_go
-            ? fmt::format("{} is not at the levers: nobody has the {}; {}", hand.source, name(levers), left)
-            : fmt::format("{} is no longer heard and nobody has the {}: {}", hand.source, name(levers), left),
-        side_of(levers));
-    if (hand.let_go && is_secured(snapshot_, levers))
-        return; // as whoever has secured an anchor goes away from it
+    told(hand.let_go
+             ? fmt::format("{} is not at the levers: nobody has the {}; {}", hand.source, name(levers), left)
+             : fmt::format("{} is no longer heard and nobody has the {}: {}", hand.source, name(levers),
+                           left));
+    if (wants_no_hand) return;
     AlertView unattended = alert(
         kUnattended, side_of(levers), 0,
         {name(levers), hand.source, hand.let_go ? "is not at the levers" : "is not heard any more", left});

@@ -19,6 +19,14 @@ int unattended(const Session& session) {
         std::ranges::count(session.alerts(), std::string("levers.unattended"), &AlertView::code));
 }
 
+/// How grave the log says it is that nobody has the levers, as it was told last.
+exercise::Severity severity_of_lost(const Session& session) {
+    const auto told = std::ranges::find(session.events().rbegin(), session.events().rend(),
+                                        std::string("levers.lost"), &exercise::ExerciseEvent::code);
+    EXPECT_NE(told, session.events().rend());
+    return told == session.events().rend() ? exercise::Severity::alarm : told->severity;
+}
+
 TEST_F(SessionTest, ForeignShipThatFallsSilentIsAnAlertUntilTheHelmIsMoved) {
     Session session({}, options());
     give(session, run_order(RunAction::start));
@@ -258,7 +266,7 @@ TEST_F(SessionTest, HandThatLetsGoIsNotSaidToBeUnheard) {
     EXPECT_EQ(count(session, "levers.lost"), 0);
 }
 
-TEST_F(SessionTest, WhoLetsGoOfASecuredWindlassIsNoAlert) {
+TEST_F(SessionTest, WhoLetsGoOfASecuredWindlassIsNoAlertAndNoWarning) {
     Session session({}, options());
     WriterKey writer{7};
     const auto leave = [&](const exercise::WindlassOrder& as, double now) {
@@ -275,10 +283,12 @@ TEST_F(SessionTest, WhoLetsGoOfASecuredWindlassIsNoAlert) {
     };
     leave({.brake = 1, .stopper_closed = true}, 10);
     EXPECT_EQ(count(session, "levers.lost"), 1) << "it is told all the same";
+    EXPECT_EQ(severity_of_lost(session), exercise::Severity::info);
     EXPECT_EQ(unattended(session), 0);
     writer = {8}; // each hand of a station has one of its own
     leave({.brake = 1}, 20);
     EXPECT_EQ(unattended(session), 1) << "the brake alone";
+    EXPECT_EQ(severity_of_lost(session), exercise::Severity::warning);
 }
 
 TEST_F(SessionTest, WhoFallsSilentAtASecuredWindlassIsAnAlert) {
@@ -289,6 +299,7 @@ TEST_F(SessionTest, WhoFallsSilentAtASecuredWindlassIsAnAlert) {
         session.tick();
     hear_nothing(session, 10, 10.3 + kHandSilent);
     EXPECT_EQ(unattended(session), 1);
+    EXPECT_EQ(severity_of_lost(session), exercise::Severity::warning);
 }
 
 TEST_F(SessionTest, InstructorsLeversAreHeardBeforeATraineesWhateverHisStrength) {
