@@ -59,6 +59,26 @@ test("men who are set to break the cable wait until the weight is on the stopper
   hadNoProblems(page);
 });
 
+test("on a tablet all that they may be set to is in sight at once, and so is the picture in which they stand", async () => {
+  await page.setViewportSize({ width: 1024, height: 768 });
+  await setTo(/^Buoy the cable/);
+  await are("Men: wait", /the weight is not on the stopper/); // the longest that is said of them
+  await men().click();
+  const choice = page.getByRole("dialog", { name: "Set the men to" });
+  const [hidden, box, picture] = [
+    await choice.evaluate((el) => el.scrollHeight - el.clientHeight),
+    await choice.boundingBox(),
+    await page.locator(".scene").boundingBox(),
+  ];
+  assert.equal(hidden, 0, "nothing is scrolled to");
+  assert.equal(await choice.locator(".men button").count(), 5);
+  assert.ok(box.y >= picture.y + picture.height, `${box.y} is below the picture, ${picture.y} + ${picture.height}`);
+  await men().click();
+  await setTo(/^Men stand clear/);
+  await are("Men", /^Men stand clear$/);
+  await page.setViewportSize({ width: 1440, height: 900 });
+});
+
 test("an instructor sets them to work at the desk and calls them back, and the forecastle sees it", async () => {
   const desk = await openPage((await rig.desk()).url, {
     viewport: { width: 1600, height: 900 },

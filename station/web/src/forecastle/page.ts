@@ -69,9 +69,10 @@ export function openForecastle(): void {
   scene.element.append(new HintLine(link, "forecastle").element);
   const popover = new Popover(scene.element);
   const tell = (text: string): void => stand.tell(text);
-  const men = new Men(link, () => stand.side, popover, tell);
-  stand.head.append(men.button);
   const reports = new Reports(link, new Work(link), () => stand.side, tell);
+  // Over the reports: the men who are set to work are to be seen in the picture meanwhile.
+  const men = new Men(link, () => stand.side, new Popover(reports.element), tell);
+  stand.head.append(men.button);
   const orders = new Orders(link, popover, (question, from) => reports.answer(question, from), tell);
   const sounds = new Sounds(page, stand, orders, () => scene.ears());
   const speech = new Speech();

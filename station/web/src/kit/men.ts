@@ -51,7 +51,7 @@ export class Men {
     this.popover.show(
       t("Set the men to"),
       this.button,
-      h("p", { role: "status" }, this.atLength()),
+      h("p", { class: "men-at-work", role: "status" }, this.atLength()),
       h("div", { class: "men" }, ...choices),
     );
   }
