@@ -616,7 +616,20 @@ test("the picture is drawn, from where the keys say, and the same again when not
   }
   await eventually("two pictures are the same", async () => (await picture()).equals(await picture()), 60000);
 
-  // By night there is a lamp for the hand; its light is in the lower half, where no button is.
+  // Who leans over the rail looks closer by a button that is to be seen; no pointer lies on it, nor the focus.
+  const stand = await picture();
+  await page.keyboard.press("2");
+  const touch = (name: string) => page.getByRole("button", { name }).evaluate((button: HTMLElement) => button.click());
+  let wide: Buffer;
+  await eventually("from over the bow", async () => !(wide = await picture()).equals(stand), 60000);
+  assert.ok(await page.getByRole("button", { name: "look closer" }).isVisible());
+  await touch("look closer");
+  await eventually("it is looked at closer", async () => !(await picture()).equals(wide), 60000);
+  await touch("look wider");
+  await eventually("and as before", async () => (await picture()).equals(wide), 60000);
+  await page.keyboard.press("1");
+
+  // By night there is a lamp for the hand; its light is in the lower half, where no button changes.
   await rig.say("environment", "--time-of-day", "23:10");
   const lamp = page.getByRole("button", { name: "Hand lamp" });
   await eventually("a lamp is at hand", () => lamp.isVisible());

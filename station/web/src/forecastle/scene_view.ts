@@ -17,6 +17,7 @@ const kCameras: readonly (readonly [CameraName, string])[] = [
   ["aft", t("Aft")],
 ];
 
+const kCloser = 0.75; // of the angle that is seen, a touch
 const kLight = 6.5; // h, before and until which a lamp helps
 
 const drawnOn = (): HTMLCanvasElement => h("canvas", { "aria-label": t("the forecastle, drawn"), role: "img" });
@@ -36,6 +37,13 @@ export class SceneView {
     { class: "ahead", hidden: true },
     h("span", { "aria-hidden": "true" }, "\u2191"),
     t("Ahead"),
+  );
+  /** As two fingers or the mouse's wheel do it, which nobody sees. */
+  private readonly closer = h(
+    "div",
+    { class: "closer", role: "group", "aria-label": t("look"), hidden: true },
+    this.looks("+", t("look closer"), kCloser),
+    this.looks("\u2212", t("look wider"), 1 / kCloser),
   );
   private scene: ShipScene | undefined;
   private drawn: bigint | undefined; // definition of what the scene shows
@@ -72,6 +80,7 @@ export class SceneView {
       this.canvas,
       this.message,
       this.ahead,
+      this.closer,
       h(
         "div",
         { class: "scene-top" },
@@ -126,6 +135,10 @@ export class SceneView {
     return this.camera === "water" ? undefined : this.scene?.ears();
   }
 
+  private looks(text: string, title: string, factor: number): HTMLButtonElement {
+    return h("button", { title, "aria-label": title, onclick: () => this.scene?.zoom(factor) }, text);
+  }
+
   private look(camera: CameraName): void {
     this.camera = camera;
     this.scene?.setCamera(camera);
@@ -144,12 +157,14 @@ export class SceneView {
       this.scene = new ShipScene(this.canvas, description);
     } catch (why) {
       this.message.hidden = false;
+      this.closer.hidden = true;
       this.scene = undefined;
       this.message.textContent = t("This browser draws no WebGL picture; the stand works without it.");
       console.warn(`${why}`);
       return;
     }
     this.message.hidden = true;
+    this.closer.hidden = false;
     this.underWater.hidden = !description.underwater_camera;
     if (this.underWater.hidden && this.camera === "water") this.look("stand");
     this.scene.still = this.page.still;

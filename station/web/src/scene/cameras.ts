@@ -120,8 +120,9 @@ export class Cameras {
     this.hand.pitch = clamp(this.hand.pitch + dy * perPixel * Math.min(1, this.hand.zoom), -1.5, 1.5);
   }
 
-  private zoomBy(factor: number): void {
-    this.hand.zoom = clamp(this.hand.zoom * factor, 0.15, kOrbits[this.name] ? 6 : 1.4);
+  /** Looks closer, below 1, or wider. */
+  zoomBy(factor: number): void {
+    this.hand.zoom = clamp(this.hand.zoom * factor, kNearest, kOrbits[this.name] ? 6 : 1.4);
   }
 
   /**
@@ -187,6 +188,7 @@ export class Cameras {
 }
 
 const kWide = 1.6; // width to height
+const kNearest = 0.15; // of the whole angle: 600 lines are a minute of arc each then, as an eye tells apart
 const kStill: Hand = { yaw: 0, pitch: 0, zoom: 1 };
 const kTarget = new Vector3();
 const kEye = 1.68; // m over the deck

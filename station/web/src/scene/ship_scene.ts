@@ -265,6 +265,10 @@ export class ShipScene {
   turn(by: number): void {
     this.cameras.turn(by);
   }
+  /** Looks closer, below 1, or wider, from where the camera is. */
+  zoom(factor: number): void {
+    this.cameras.zoomBy(factor);
+  }
   /** The lamp in the hand of who looks. */
   setHandLamp(on: boolean): void {
     this.light.handLamp.switch(on);
