@@ -158,6 +158,13 @@ describe("levers as found", () => {
   });
 });
 
+test("with the anchor home the counter stands below zero, and says that this is up the pipe", async () => {
+  const counter = page.getByRole("group", { name: "chain counter" });
+  await eventually("it stands below zero", async () =>
+    /^Counter inboard of the lip\u2212\d\.\dm\u22120\.\dshackles/.test(await counter.textContent()),
+  );
+});
+
 describe("by mouse", () => {
   test("the hand-wheel turns as far as it is dragged round its hub", async () => {
     const box = await wheel().boundingBox();

@@ -143,8 +143,13 @@ const lampWords: Record<Lamp, string> = {
 };
 type Lamp = (typeof kLamps)[number];
 
+/** What the counter's figure counts: zero is the lip, and an anchor that is home has its shackle up the pipe. */
+export const countedFrom = (metres: number): string =>
+  Number(metres.toFixed(1)) < 0 ? t("inboard of the lip") : t("from the lip");
+
 export class Gauges {
   readonly element: HTMLElement;
+  private readonly from = h("span", { class: "label" }, t("from the lip"));
   private readonly metres = h("strong", {});
   private readonly lengths = h("strong", {});
   private readonly rate = h("strong", {});
@@ -163,7 +168,7 @@ export class Gauges {
     this.counter = h(
       "div",
       { class: "counter", role: "group", "aria-label": t("chain counter") },
-      h("h2", {}, t("Counter")),
+      h("h2", {}, t("Counter"), " ", this.from),
       reading(this.metres, "m"),
       reading(this.lengths, t("shackles")),
       reading(this.rate, this.rateUnit),
@@ -188,6 +193,7 @@ export class Gauges {
     setShown(this.counter, view.counter_fitted);
     if (now - this.lastDigits > 240) {
       this.lastDigits = now;
+      setText(this.from, countedFrom(view.cable_out_indicated));
       setText(this.metres, figure(view.cable_out_indicated, 1));
       setText(this.lengths, figure(shackles(view.cable_out_indicated), 1));
       const rate = view.cable_speed_indicated;

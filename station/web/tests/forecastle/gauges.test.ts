@@ -5,7 +5,7 @@ import { readFile, readdir } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
 import schema from "../../../../config/schema/windlass.schema.json";
-import { motorFace } from "../../src/forecastle/gauges";
+import { countedFrom, motorFace } from "../../src/forecastle/gauges";
 import { root } from "../../tools/web.mjs";
 
 const plate = ["rated_pull", "stall_pull", "motor_current_rated"] as const;
@@ -32,4 +32,10 @@ test("a hydraulic drive has a pressure gauge, and no motor's red line", () => {
 
 test("an ammeter whose windlass is not known yet has no red line", () => {
   assert.equal(motorFace(undefined).redLine, undefined);
+});
+
+test("a counter that stands below zero says of what: an anchor that is home has its shackle up the pipe", () => {
+  assert.equal(countedFrom(-2.84), "inboard of the lip");
+  assert.equal(countedFrom(-0.04), "from the lip", "as it is shown: 0.0");
+  assert.equal(countedFrom(0.6), "from the lip");
 });
