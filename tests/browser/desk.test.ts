@@ -391,6 +391,10 @@ test("it records, the recording is replayed with all its marks, and a live exerc
   });
   await page.locator(".top-bar").getByText("exercise time").waitFor(); // two clocks, each with its name
   await page.locator(".replay-bar").getByText("time of the recording").waitFor();
+  await page
+    .locator(".timeline")
+    .getByRole("img", { name: /, in the time of the recording$/ })
+    .waitFor();
   // Ten seconds back each: on a loaded machine there are more of them.
   await eventually("back at the beginning", async () => {
     if ((await place()) === 0) return true;

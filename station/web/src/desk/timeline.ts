@@ -236,7 +236,8 @@ export class Timeline {
     this.tip.hidden = !mark;
     this.canvas.style.cursor = mark ? "pointer" : "crosshair";
     if (!mark) return;
-    setText(this.tip, `${clock(mark.time)}  ${mark.text}`);
+    const when = this.replay ? `${t("exercise time")} ${clock(mark.time)}` : clock(mark.time);
+    setText(this.tip, `${when}  ${mark.text}`);
     this.tip.style.left = `${Math.min(event.offsetX + 10, this.canvas.clientWidth - 320)}px`;
   }
   private click(event: MouseEvent): void {
@@ -272,11 +273,9 @@ export class Timeline {
       this.canvas.width = Math.round(width * ratio);
       this.canvas.height = Math.round(height * ratio);
     }
-    setAttribute(
-      this.canvas,
-      "aria-label",
-      t("timeline with {count} marks; the log lists them", { count: this.marks.length }),
-    );
+    const marks = t("timeline with {count} marks; the log lists them", { count: this.marks.length });
+    const whose = this.replay ? `, ${t("in the time of the recording")}` : "";
+    setAttribute(this.canvas, "aria-label", `${marks}${whose}`);
     const ctx = this.canvas.getContext("2d")!;
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
     ctx.clearRect(0, 0, width, height);
@@ -304,6 +303,9 @@ export class Timeline {
     const steps = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200];
     const step = steps.find((s) => (s / this.span) * this.width > 70) ?? 14400;
     ctx.fillStyle = colour("element-neutral-color");
+    ctx.textAlign = "right";
+    // Its figures are not those of the clock on top, which is the exercise's.
+    if (this.replay) ctx.fillText(t("recording"), this.labels - 8, y + (kAxis * this.large) / 2);
     ctx.textAlign = "center";
     for (let time = 0; time <= this.span; time += step)
       ctx.fillText(clock(time), this.labels + (this.width * time) / this.span, y + (kAxis * this.large) / 2);
