@@ -68,24 +68,23 @@ void ClassHistory::put(const AttemptMade& made) const {
     history::History(history_).add(debrief::read_attempt(recording), seats, folder, replace);
 }
 
-/// null: it went wrong at no moment, or its recording is here no more.
-json ClassHistory::again_from(const fs::path& recording) const {
+ClassHistory::AgainFrom ClassHistory::again_from(const fs::path& recording) const {
     const fs::path folder = recordings_ / recording.filename();
-    if (recording.empty() || !fs::exists(folder)) return nullptr;
+    if (recording.empty() || !fs::exists(folder)) return {.why_not = "its recording is here no more"};
     try {
         recording::Recording read({folder});
         const debrief::Attempt attempt = debrief::read_attempt(read);
         const auto again = debrief::again_of(attempt);
-        if (!again) return nullptr;
-        return {{"recording", recording.filename()},
-                {"position", attempt.position_of(again->from)},
-                {"time", again->from},
-                {"before", debrief::name_of(again->before)},
-                {"lost", again->lost},
-                {"lost_at", again->lost_at},
-                {"standing", again->standing}};
-    } catch (const std::exception&) { // a part of it cannot be read
-        return nullptr;
+        if (!again) return {.why_not = "what is missing went wrong at no moment"};
+        return {.from = {{"recording", recording.filename()},
+                         {"position", attempt.position_of(again->from)},
+                         {"time", again->from},
+                         {"before", debrief::name_of(again->before)},
+                         {"lost", again->lost},
+                         {"lost_at", again->lost_at},
+                         {"standing", again->standing}}};
+    } catch (const std::exception&) { // a part of it
+        return {.why_not = "its recording cannot be read"};
     }
 }
 
@@ -96,14 +95,17 @@ json ClassHistory::next(const std::vector<std::string>& names, const json& lesso
     json all = json::array();
     for (const std::string& name : names)
         try {
-            if (const auto next = history.next(pseudonym_of(name), offered))
+            if (const auto next = history.next(pseudonym_of(name), offered)) {
+                const AgainFrom again = next->practice ? again_from(next->recording) : AgainFrom{};
                 all.push_back({{"name", name},
                                {"file", files.at(next->lesson.id)},
                                {"title", next->lesson.title},
                                {"why", next->why},
                                {"practice", next->practice},
                                {"after", after(*next)},
-                               {"from", next->practice ? again_from(next->recording) : json()}});
+                               {"from", again.from},
+                               {"no_from", again.why_not}});
+            }
         } catch (const std::invalid_argument&) { // he is in no history: his seat was not recorded
         }
     return all;

@@ -27,9 +27,10 @@ public:
     /// Throws what reading the recording or writing the history throws.
     void put(const AttemptMade& made) const;
 
-    /// What each of these is to practise next: [{name, file, title, why, practice, from}], without those who
-    /// are in no history. lessons: as the lessons page lists them; "file" is the lesson's, as a class is
-    /// opened with it. from: whence the last attempt is done again, for practice alone; null: from nowhere.
+    /// What each of these is to practise next: [{name, file, title, why, practice, after, from, no_from}],
+    /// without those who are in no history. lessons: as the lessons page lists them; "file" is the lesson's,
+    /// as a class is opened with it. from: whence the last attempt is done again, for practice alone; null:
+    /// from nowhere, and no_from says why, where it is for practice.
     nlohmann::json next(const std::vector<std::string>& names, const nlohmann::json& lessons) const;
 
     /// Puts an assessor's word in. Why it is not taken; empty: it stands.
@@ -42,7 +43,11 @@ public:
     std::optional<debrief::LaterWord> word_on(const std::string& recording) const;
 
 private:
-    nlohmann::json again_from(const std::filesystem::path& recording) const;
+    struct AgainFrom {
+        nlohmann::json from = nullptr;
+        std::string why_not = {};
+    };
+    AgainFrom again_from(const std::filesystem::path& recording) const;
 
     std::filesystem::path history_, recordings_, exercises_;
 };

@@ -53,7 +53,7 @@ struct DoorOptions {
     /// Puts an attempt into the history, or brings it up to date there. The same.
     std::function<void(const AttemptMade& made)> put_in_history;
     /// What each of these trainees is to practise next, by the history: their names in, [{name, file, title,
-    /// why, practice}] out; who is in no history has no row. The same.
+    /// why, practice, after, from, no_from}] out; who is in no history has no row. The same.
     std::function<nlohmann::json(const std::vector<std::string>& names)> next = {};
     /// Puts an assessor's word into the history. Why it does not take it; empty: it stands. The same.
     std::function<std::string(const AttemptJudged& judged)> judge = {};

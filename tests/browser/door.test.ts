@@ -390,6 +390,13 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await look(owner, "class_next");
   await on(owner, "New class").click();
   assert.ok(!(await form.getByLabel("for practice, with hints").isChecked()), "it is somebody else's class");
+  await owner.getByRole("button", { name: /^(?!again).*, over$/ }).click();
+  await on(owner, "The same class again").click();
+  await eventually("the same class from its beginning", async () =>
+    /For .*carla.* alone, unless you give a file$/.test(await form.locator("p.quiet").textContent()),
+  );
+  assert.ok(!(await form.getByLabel("for practice, with hints").isChecked()), "as it was, a test");
+  assert.equal(await form.locator("select").first().inputValue(), "L01_let_go_25m");
   await tablet.locator("input[name=code]").waitFor();
   const first = (await owner.locator(".tabs button").first().textContent()).replace(", over", "");
   await owner.goto(new URL("/class", door.url).href);

@@ -80,6 +80,8 @@ TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver)
     EXPECT_EQ(next["next"][0]["file"], "L01_let_go_25m");
     EXPECT_EQ(next["next"][0]["practice"], true) << "he has not achieved it";
     EXPECT_THAT(next["next"][0]["why"].get<std::string>(), HasSubstr("not shown: "));
+    EXPECT_NE(next["next"][0]["from"].is_null(), next["next"][0]["no_from"] == "")
+        << "again from a moment, or why not";
     EXPECT_EQ(owner().get("/door/next?class=tue").status, 404);
     EXPECT_NE(ben.get("/door/next?class=mon").status, 200) << "his is the instructor's to tell";
     for (const std::string other : {"", "../door", "none", "/etc"})
@@ -299,6 +301,14 @@ TEST_F(Class, GoesOnFromAMomentOfAnAttemptAndIsPracticeThen) {
     EXPECT_EQ(owner().post("/door/class", {{"do", "end"}, {"class", "tue"}}).status, 200);
     ASSERT_TRUE(eventually([&] { return exercise("tue")["state"].is_null(); }));
     EXPECT_EQ(exercise("tue")["outcome"], "practice");
+
+    const auto next = [&] { return owner().get("/door/next?class=tue").json(); };
+    ASSERT_TRUE(eventually([&] { return next()["waits"] == false; })) << door_->text();
+    std::filesystem::remove_all(folder_ / "recordings" / exercise("tue")["recording"].get<std::string>());
+    const nlohmann::json told = next()["next"];
+    ASSERT_EQ(told.size(), 1U) << told;
+    EXPECT_TRUE(told[0]["from"].is_null());
+    EXPECT_EQ(told[0]["no_from"], "its recording is here no more");
 }
 
 TEST_F(Class, SaysWhyItDoesNotStandAtItsMoment) {

@@ -63,7 +63,12 @@ export interface Next {
   after: After | null;
   /** From when his last attempt, which went wrong, is done again; null: nothing to go on from. */
   from: From | null;
+  /** Why there is nothing, where it is for practice; else empty. */
+  no_from: string;
 }
+
+/** Of a lesson that somebody is to do. */
+export type ToDo = Pick<Next, "name" | "file" | "practice">;
 
 /** An attempt at a lesson. */
 export interface After {

@@ -13,6 +13,7 @@ import {
   type NextOfClass,
   type Part,
   type PlaceName,
+  type ToDo,
   type TrainingClass,
   type Word,
   type Words,
@@ -78,6 +79,23 @@ export function placesBeside(name: string, { exercises }: TrainingClass): Record
   const places = Object.fromEntries([...last.values()].map((part) => [part.name, part.place]));
   return name in places ? places : { [name]: its?.parts.find((part) => part.name === name)?.place ?? "ship" };
 }
+
+/** The attempt of this class that is done again from a moment; undefined: from none, or from one of a class since. */
+const momentHere = ({ from }: Next, { exercises }: Pick<TrainingClass, "exercises">): From | undefined =>
+  from && exercises.some(({ recording }) => recording === from.recording) ? from : undefined;
+
+/** Why what somebody missed is not done again from a moment here; empty: it is, or nothing was missed. */
+export function whyNotAgain(one: Next, it: Pick<TrainingClass, "exercises">): string {
+  if (!one.practice || momentHere(one, it)) return "";
+  if (one.from) return t("Again from its moment: under the class of that attempt");
+  return t("Again from no moment: {why}", { why: doorSaid(one.no_from) });
+}
+
+/** The same lesson from its beginning, for all who had a seat at the end. */
+export const allAgain = ({ exercises, lesson, practice }: TrainingClass): ToDo[] =>
+  exercises
+    .flatMap(({ parts }) => parts.filter(({ until }) => until === null))
+    .map(({ name }) => ({ name, file: lesson, practice }));
 
 /** "Let go in 25 m, for practice". */
 export const lessonWords = (title: string, practice: boolean): (Node | string)[] => [
@@ -221,10 +239,12 @@ async function fillNext(it: TrainingClass, toCome: ToCome, open?: Open): Promise
   for (const word of words) word.take(told);
   const { next } = told;
   for (const one of next) {
-    // The latest attempt may be of a class since, and is done again there.
-    const here = one.from && it.exercises.some(({ recording }) => recording === one.from?.recording);
-    const again = one.from && here && open ? againFrom(one, one.from, it, open) : [];
-    cells.get(one.name)?.replaceChildren(...nextWords(one, it), ...again);
+    const from = momentHere(one, it);
+    const again = from && open ? againFrom(one, from, it, open) : [];
+    const whyNot = open ? whyNotAgain(one, it) : "";
+    cells
+      .get(one.name)
+      ?.replaceChildren(...nextWords(one, it), ...again, ...(whyNot ? [h("span", { class: "quiet" }, whyNot)] : []));
   }
   const classOf = (group: Next[], { title, practice }: Next): HTMLElement =>
     h(
@@ -241,12 +261,13 @@ async function fillNext(it: TrainingClass, toCome: ToCome, open?: Open): Promise
 /** The list stands without it, too; a door without a history has nothing of it. */
 const tellNext: typeof fillNext = (it, toCome, open) =>
   fillNext(it, toCome, open).catch((why: unknown) => {
-    if (why instanceof Denied && why.status === 404) setShown(toCome.coming, false);
+    if (why instanceof Denied && why.status === 404)
+      setText(toCome.coming, t("No history is kept here, which would say what next, and again from when."));
     else setText(toCome.coming, t("What next and assessors' words were not to be had."));
   });
 
-/** Begins a class of those who are to do the same next. */
-export type Open = (group: Next[], from?: Again) => void;
+/** Begins a class of those who are to do the same next. crew: trainees to each exercise; none: as suits it. */
+export type Open = (group: ToDo[], from?: Again, crew?: number) => void;
 
 export interface ClassMarks {
   element: HTMLElement;
@@ -315,6 +336,7 @@ export function classMarks(it: TrainingClass, title: string, judges: boolean, op
     h(
       "p",
       { class: "row" },
+      open && h("button", { onclick: () => open(allAgain(it), undefined, it.crew) }, t("The same class again")),
       h("a", { href: `/door/side_by_side?class=${it.id}`, target: "_blank" }, t("The class side by side")),
       h("a", { href: `/door/marks.csv?class=${it.id}`, download: `${it.id}.csv` }, t("As a table (CSV)")),
     ),

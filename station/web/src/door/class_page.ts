@@ -12,9 +12,7 @@ import {
   type ClassExercise,
   type Classes,
   type Me,
-  type Again,
   type Lessons,
-  type Next,
   type Part,
   type Seat,
   type TrainingClass,
@@ -23,7 +21,7 @@ import {
   partWords,
   placeWords,
 } from "./ask";
-import { type ClassMarks, classMarks, lessonWords, marksOf } from "./class_marks";
+import { type ClassMarks, type Open, classMarks, lessonWords, marksOf } from "./class_marks";
 import { doorSaid } from "./door_sentences";
 import { frame } from "./frame";
 import { kiosks } from "./kiosks";
@@ -168,7 +166,7 @@ class ClassPage {
     const tabs = this.known.classes.map(({ id, over }) => [id, over]);
     this.fill(this.tabs, [tabs, this.chosen], () => this.tabsNow());
     const it = this.known.classes.find(({ id }) => id === this.chosen);
-    const open = this.leads ? (group: Next[], from?: Again) => this.goOn(group, from) : undefined;
+    const open: Open | undefined = this.leads ? (...what) => this.goOn(...what) : undefined;
     const over = it?.over && [{ ...it, words: 0 }, this.titleOf(it)]; // a word changes what stands in it, by itself
     this.fill(this.body, over || [it?.id ?? this.chosen, it?.exercises.length], () => {
       if (this.chosen === kKiosks && this.devices) return [this.devices];
@@ -193,8 +191,8 @@ class ClassPage {
   }
 
   /** A new class of those who are to do the same next. */
-  private goOn(group: Next[], from?: Again): void {
-    this.newClass.fill(group, from);
+  private goOn(...what: Parameters<Open>): void {
+    this.newClass.fill(...what);
     this.chosen = undefined;
     this.draw();
   }

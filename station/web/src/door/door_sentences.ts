@@ -80,7 +80,14 @@ const reasons = [
   "tried before, and not achieved in all of it",
 ];
 
-export const doorSentences: readonly string[] = [...refusals, ...partings, ...troubles, ...reasons];
+/** Why it is not done again from a moment. */
+const noMoments = [
+  "its recording cannot be read",
+  "its recording is here no more",
+  "what is missing went wrong at no moment",
+];
+
+export const doorSentences: readonly string[] = [...refusals, ...partings, ...troubles, ...reasons, ...noMoments];
 
 /** In the person's language; as it came where the catalogue has no such sentence. */
 export function doorSaid(text: string): string {

@@ -1,8 +1,8 @@
 // A new class: of which lesson, how many exercises, how many to each.
 
 import { h, setText } from "../kit/dom";
-import { type Classes, type Again, type ExerciseFile, type Lessons, type Next, act } from "./ask";
-import { whyFrom } from "./class_marks";
+import { type Classes, type Again, type ExerciseFile, type Lessons, type ToDo, act } from "./ask";
+import { type Open, whyFrom } from "./class_marks";
 import { field, form } from "./form";
 import { freeName } from "./free_name";
 import { namesOf } from "./names";
@@ -32,7 +32,7 @@ export interface NewClass {
   /** The form, with a name that is free. */
   shown(): HTMLElement;
   /** Of these alone, with what they are to do next. */
-  fill(group: Next[], from?: Again): void;
+  fill: Open;
   /** Whoever has the code may join, unless a file is given. */
   anybody(): void;
 }
@@ -96,13 +96,14 @@ export function newClass(
     lesson.value = file ?? lesson.value;
     await suit();
   };
-  const fill = (group: Next[], moment?: Again): void => {
+  const fill = (group: ToDo[], moment?: Again, crewBefore?: number): void => {
     anybody();
+    chosenCrew = crewBefore;
     fixed = moment ? Object.keys(moment.places) : group.map((one) => one.name);
     from = moment;
     if (from) crew.value = String(from.crew);
     crew.disabled = !!from;
-    name.value = `${today}-${from ? "again" : "next"}`;
+    name.value = `${today}-${from || crewBefore ? "again" : "next"}`;
     const names = fixed.join(", ");
     setText(
       whose,

@@ -3,8 +3,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import type { ClassExercise, From, Part, PlaceName, TrainingClass } from "../../src/door/ask";
-import { afterSaid, marksOf, placesBeside, whyFrom, whyNext, wordSaid } from "../../src/door/class_marks";
+import type { ClassExercise, From, Next, Part, PlaceName, TrainingClass } from "../../src/door/ask";
+import {
+  afterSaid,
+  allAgain,
+  marksOf,
+  placesBeside,
+  whyFrom,
+  whyNext,
+  whyNotAgain,
+  wordSaid,
+} from "../../src/door/class_marks";
 
 const part = (name: string, place: PlaceName, since: number | null = null, until: number | null = null): Part => ({
   name,
@@ -40,6 +49,31 @@ test("a class that goes on says before what it begins, and what was lost by that
   assert.equal(
     why("loss", ["repeat", "pay out"]),
     '10 s before "fall" went wrong, at 0:33; already lost by then: repeat, pay out',
+  );
+});
+
+test("what somebody missed is done again from a moment, or the class says why not", () => {
+  const it = { exercises: [{ recording: "mon-1-17" } as ClassExercise] };
+  const next = (more: Partial<Next>): Next => ({ practice: true, from: null, no_from: "", ...more }) as Next;
+  const from = (recording: string): From => ({ recording }) as From;
+  assert.equal(whyNotAgain(next({ from: from("mon-1-17") }), it), "", "there is a button");
+  assert.match(whyNotAgain(next({ from: from("tue-1-17") }), it), /under the class of that attempt$/);
+  assert.equal(
+    whyNotAgain(next({ no_from: "its recording is here no more" }), it),
+    "Again from no moment: its recording is here no more",
+  );
+  assert.equal(whyNotAgain(next({ practice: false }), it), "", "nothing was missed");
+});
+
+test("the same class again is for all who had a seat at its end", () => {
+  const it = classOf(
+    [part("cid", "forecastle", null, 240), part("ann", "forecastle", 240), part("ben", "bridge")],
+    [part("eve", "forecastle")],
+  );
+  const lesson = { lesson: "L01_let_go_25m", practice: false };
+  assert.deepEqual(
+    allAgain({ ...it, ...lesson }),
+    ["ann", "ben", "eve"].map((name) => ({ name, file: "L01_let_go_25m", practice: false })),
   );
 });
 
