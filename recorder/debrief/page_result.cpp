@@ -76,9 +76,12 @@ std::string objectives(const Attempt& attempt) {
                         figure_cell(points_text(each.score)), figure_cell(fmt::format("{:g}", each.pass)),
                         text_cell(outcome_words(each.outcome))});
     if (rows.empty()) return {};
-    return "<h3>Objectives</h3>\n" + table("Competence by objective",
-                                           {"objective", "STCW", "points of 100", "to pass", "outcome"},
-                                           rows);
+    return "<h3>Objectives</h3>\n" +
+           table("Competence by objective", {"objective", "STCW", "points of 100", "to pass", "outcome"},
+                 rows) +
+           "<p>An objective is achieved when its criteria marked (must) are met, each with half of its "
+           "points at least, and it has the points to pass itself; only one with less than half of its "
+           "points fails the lesson.</p>\n";
 }
 
 /// What would have kept it, and whence to do it again.

@@ -500,6 +500,8 @@ TEST(DebriefTest, ObjectivesAreAsTheServerHasJudgedThem) {
     marks.criteria({marks.criteria()[0], marks.criteria()[1]});
     const std::string page = page_of(attempt, {});
     EXPECT_THAT(page, HasSubstr("points, achieved"));
+    EXPECT_THAT(page, HasSubstr("An objective is achieved when its criteria marked (must) are met"))
+        << "by which rule";
     EXPECT_THAT(page, Not(HasSubstr("not yet"))) << "not above, not below";
     for (const auto& statement : xapi_of(attempt, {"urn:here", "t1"}))
         EXPECT_FALSE(statement["verb"]["display"]["en"] == "failed") << statement;

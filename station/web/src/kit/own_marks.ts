@@ -76,6 +76,15 @@ export function headline({ outcome, score, pass }: Pick<Assessment, "outcome" | 
 export const failsLesson = ({ outcome, score, pass }: Pick<ObjectiveMark, "outcome" | "score" | "pass">): boolean =>
   outcome !== "achieved" && score < Math.min(pass, limits.objective_fails.value);
 
+/** By what rule an objective is achieved, under those of a lesson; empty: it has none. */
+export const objectivesRule = (objectives: readonly unknown[]): string =>
+  objectives.length > 0
+    ? t(
+        "An objective is achieved when its criteria marked (must) are met, each with half of its points at least, " +
+          "and it has the points that are needed itself; only one with less than half of its points fails the lesson.",
+      )
+    : "";
+
 /** What halved the points, by the rule of server/assess/result.cpp; nothing: they were not. */
 export function whyHalved({
   criteria,
@@ -269,6 +278,7 @@ export class OwnMarks {
     const others = whose(this.judged, this.link.hello?.seat);
     setText(this.head, others ? `${others.marks}. ${headline(assessment)}` : headline(assessment));
     const { hints } = assessment;
+    const rule = objectivesRule(assessment.objectives);
     const parts = [
       others?.why && h("p", {}, others.why),
       assessment.practice &&
@@ -305,6 +315,7 @@ export class OwnMarks {
           ),
         ),
       ),
+      rule && h("p", { class: "quiet" }, rule),
       section(
         t("Hints"),
         hints.map(({ tick, text, criterion }) =>

@@ -9,6 +9,7 @@ import {
   failsLesson,
   headline,
   judgedBy,
+  objectivesRule,
   orderDone,
   rightWords,
   saidIn,
@@ -143,6 +144,11 @@ test("an objective that falls short of what it needs fails the lesson below half
   const fails = (outcome: string, score: number, pass = 70) => failsLesson({ outcome, score, pass });
   assert.deepEqual([fails("not_yet", 49.9), fails("not_shown", 0), fails("not_yet", 20, 30)], [true, true, true]);
   assert.deepEqual([fails("not_yet", 61), fails("achieved", 40, 30)], [false, false]);
+});
+
+test("by what rule an objective is achieved stands under those of a lesson", () => {
+  assert.match(objectivesRule([{}]), /\(must\) are met.*half of its points.*points that are needed.*less than half/);
+  assert.equal(objectivesRule([]), "");
 });
 
 test("a report is early, late or at once by the second", () => {
