@@ -7,8 +7,9 @@ const give = (name: string, value: object): void =>
   void Object.defineProperty(globalThis, name, { value, configurable: true });
 give("document", { documentElement: {} });
 give("navigator", { languages: ["de-DE"] });
-const { alertWords, allSaid, endingSaid, eventText } = await import("../../src/kit/words");
+const { alertWords, allSaid, endingSaid, eventText, saidOf } = await import("../../src/kit/words");
 const { t } = await import("../../src/kit/language");
+const { AnchorPhase, DeckWork } = await import("../../src/wire/generated");
 const { doorSaid } = await import("../../src/door/door_sentences");
 
 void test("sentences that the server makes up are read in German", () => {
@@ -68,6 +69,15 @@ void test("no priority of an alert has the name of a lesson's hint", () => {
   const priorities = allSaid("AlertPriority");
   assert.deepEqual(priorities, ["Vorsicht", "Warnung", "Alarm", "Notalarm"]);
   assert.ok(!priorities.includes(t("Hint")) && t("cautions") !== t("Hints"));
+});
+
+void test("words of the trade are not those that mean something else ashore, or of a ship", () => {
+  const landed = { code: "anchor.on_bottom", text: "anchor on the bottom, 27.5 m of cable out" };
+  assert.equal(eventText(landed), "Anker am Grund, 27,5 m Kette gesteckt"); // a ship that is aground is "auf Grund"
+  assert.equal(saidOf("AnchorPhase", AnchorPhase.ANCHOR_ON_BOTTOM), "am Grund");
+  assert.equal(t("SPRUNG"), "SPRANG AUF"); // "gesprungen" is cracked
+  assert.equal(saidOf("DeckWork", DeckWork.DECK_WORK_SLIP), "Sliphaken ausschlagen"); // "der Slip" is clothing
+  assert.equal(t("CCTV on"), "Kameras an");
 });
 
 void test("why a lesson ended, what the door refuses and what is to be practised are read in German", () => {
