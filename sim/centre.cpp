@@ -48,7 +48,9 @@ std::size_t attempts(SimDisk& disk) {
     for (auto file = files.rbegin(); file != files.rend(); ++file) {
         try {
             const keep::KeptContents contents(*file, disk);
-            if (contents.entries().size() < 2) continue; // not whole
+            const bool whole = std::ranges::any_of(
+                contents.entries(), [](const auto& entry) { return entry.kind == keep::Record::checkpoint; });
+            if (!whole) continue;
             const auto course = keep::decode_beginning(contents.entries().front().payload).course;
             const auto counted = keep::attempts_file(kFolder, course.settled);
             return disk.exists(counted) ? disk.read(counted).size() : 0;
@@ -176,9 +178,10 @@ void Centre::start() {
     lost_setting_back_ = lost_setting_back_ || how.attempts >= 2; // until it has begun
     if (plan_.sabotage == Sabotage::last_record_lost && life_ > 1) disk_.lose_the_end(".kept", 60);
     if (chance.in(0.1)) disk_.lose_in(1 + chance.below(12), chance.in(0.5) ? Loss::killed : Loss::power_cut);
+    how.running = chance.in(0.3);
     const auto taken = keep::take_up(
         kFolder, kId, kAside,
-        {.definition_hash = exercise::definition_hash(def_), .check = {}, .running = chance.in(0.3)}, disk_);
+        {.definition_hash = exercise::definition_hash(def_), .check = {}, .running = how.running}, disk_);
     run::SessionOptions options;
     options.fault_folder = "/dev/null/none";
     options.seed = chance.bits();

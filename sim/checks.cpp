@@ -211,6 +211,20 @@ void Checks::hold_set_back(const Place& promise, const Beginning& how) const {
              fmt::format("set back, as server {} of its course begins: {}", starts, how.set_back));
 }
 
+/// Where what ran is to run on: what ran when its server was lost does, and what held for a question holds
+/// for it again; neither stands until somebody starts it.
+void Checks::hold_what_ran(const run::Session& session) const {
+    const bool goes_on = session.running() || session.held();
+    if (goes_on != goes_on_)
+        fail("kept", goes_on_ ? "the exercise runs on, or holds for its question" : "the exercise stands",
+             goes_on ? "it goes on" : "it stands until somebody starts it");
+}
+
+void Checks::note_whether_it_goes_on(const run::Session& session) {
+    const bool goes_on = session.running() || session.held();
+    if (std::exchange(goes_on_, goes_on) != goes_on) ++turns_;
+}
+
 void Checks::begins(const run::Session& session, const Beginning& how) {
     run_ = session.status().run;
     event_ = 0;
@@ -233,6 +247,7 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
             left.handed_over.reset(), left.on_disk.reset();
         begin_line(session);
         branch(session, tick_);
+        note_whether_it_goes_on(session);
         return;
     }
     const std::uint64_t hash = session.snapshot().state_hash;
@@ -266,15 +281,21 @@ void Checks::begins(const run::Session& session, const Beginning& how) {
             line().starts = older->starts, line().left = older->left;
     undisturbed_ = std::move(here_undisturbed);
     const Place here = place();
-    if (promise && how.set_back.empty() && !how.rotten && !how.set_back_before &&
-        (promise->line > here.line || (promise->line == here.line && before(here, *promise))))
+    const bool as_promised = promise && how.set_back.empty() && !how.rotten && !how.set_back_before;
+    if (as_promised && (promise->line > here.line || (promise->line == here.line && before(here, *promise))))
         fail("kept", "taken up at " + text(*promise) + " or later", "taken up at " + text(here));
+    if (as_promised && promise->turns == turns_) {
+        if (how.running) hold_what_ran(session);
+    } else {
+        ++turns_; // behind what was read, of which it is not known whether it ran
+    }
     if (how.set_back.empty()) { // what was read is there, and there again
         line().handed_over = here;
         if (how.lost_by == Loss::power_cut) line().on_disk = here;
     }
     line().ended = false;
     branch(session, tick_);
+    note_whether_it_goes_on(session);
     hold_questions_again(session);
 }
 
@@ -305,7 +326,8 @@ std::optional<Checks::Place> Checks::promised(Loss how) const {
 }
 
 Checks::Place Checks::place() const {
-    return {.line = lines_.back().number, .tick = tick_, .orders = lines_.back().orders.size()};
+    return {
+        .line = lines_.back().number, .tick = tick_, .orders = lines_.back().orders.size(), .turns = turns_};
 }
 
 void Checks::handed_over(const Place& place) {
@@ -363,6 +385,7 @@ void Checks::look(const run::Session& session, const run::Inbox& inbox, double n
     look_at_events(session);
     look_at_alerts(session, trouble);
     look_for_silence(session);
+    note_whether_it_goes_on(session);
     if (session.seen() && (tick_ % kMarkEvery == 0 || session.checkpoint() != nullptr) &&
         session.status().state != RunState::stopped_by_fault && !lines_.back().ended) {
         if (session.status().orders_taken + run_base_ == line().orders.size())

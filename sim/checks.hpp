@@ -19,6 +19,7 @@ struct Beginning {
     Loss lost_by = Loss::killed;       ///< what the server before it was lost by
     bool first = false;                ///< there was none
     bool taken_up = false;             ///< the exercise stands where it stood, as it says
+    bool running = false;              ///< one that ran is to run on
     std::string refused{}, set_back{}; ///< as in run::Resumption
     std::size_t attempts = 0;          ///< that the disk has counted before
     bool set_back_before = false;      ///< by one that was lost at it, or before it had a file of its own
@@ -45,6 +46,7 @@ public:
     struct Place {
         std::uint64_t line = 0, tick = 0;
         std::size_t orders = 0;
+        std::uint64_t turns = 0; ///< of `goes_on_` up to there
     };
     Place place() const;
     void handed_over(const Place& place);
@@ -121,6 +123,8 @@ private:
     void leave_line();
     void branch(const run::Session& session, std::uint64_t tick);
     void hold_set_back(const Place& promise, const Beginning& how) const;
+    void hold_what_ran(const run::Session& session) const;
+    void note_whether_it_goes_on(const run::Session& session);
     void go_through(Line& line, std::uint64_t tick, std::size_t orders);
     void hold_against(Line& line);
     void leave_out_what_was_not_taken(const run::Inbox& inbox);
@@ -181,6 +185,8 @@ private:
         std::string id;
         std::uint64_t run = 0, tick = 0;
     };
+    bool goes_on_ = false;                        // it runs, or will by itself once a question is answered
+    std::uint64_t turns_ = 0;                     // how often that has changed, of all servers
     std::array<Asked, 2> asked_;                  // forecastle, bridge
     bool was_running_ = false, was_held_ = false; // at the last look
     Counts counts_;

@@ -182,7 +182,7 @@ void KeptExercise::look(const run::Session& session, bool last) {
                                      .orders_taken = session.seen() ? status.orders_taken : 0,
                                      .format = 0,
                                      .data = {}},
-                           .run_state = status.state,
+                           .run_state = session.held() ? RunState::running : status.state,
                            .time_scale = status.time_scale};
     if (disk_is_slow(now))
         trouble_ = slow(folder_);
@@ -229,8 +229,12 @@ bool KeptExercise::write_waiting() {
     if (resumed && begun_ == 0) run_ = resumed->run, course_ = resumed->course;
     try {
         if (over) remove_all();
-        for (const News& news : writing_)
-            std::visit([this](const auto& what) { write(what); }, news);
+        for (const News& news : writing_) {
+            if (const auto* order = std::get_if<run::OrderView>(&news))
+                write(*order);
+            else
+                write(std::get<run::CheckpointView>(news), reached);
+        }
         if (reached) write(*reached);
         if (file_ && std::exchange(news_, false)) {
             file_->write();
@@ -257,7 +261,8 @@ void KeptExercise::write(const run::OrderView& order) {
     news_ = true;
 }
 
-void KeptExercise::write(const run::CheckpointView& checkpoint) {
+/// reached: how far the exercise has come by now.
+void KeptExercise::write(const run::CheckpointView& checkpoint, const std::optional<Reached>& reached) {
     if (file_) { // what came before stands whole, should the next file not
         if (checkpoint.run == run_) add_reached(checkpoint);
         file_->write();
@@ -276,6 +281,15 @@ void KeptExercise::write(const run::CheckpointView& checkpoint) {
                                                       .id = id_,
                                                       .definition_hash = definition_hash_,
                                                       .course = course}));
+        // Before the checkpoint, with which the file is whole: whoever takes it up knows whether it ran.
+        const auto of_its_run = [&](const std::optional<Reached>& one) {
+            return one && one->state.run == checkpoint.run;
+        };
+        status_.reset();
+        if (of_its_run(reached))
+            add_status(*file, *reached);
+        else if (of_its_run(last_))
+            add_status(*file, *last_);
         dds::convert(checkpoint, checkpoint_);
         file->add(Record::checkpoint, wire::encode(checkpoint_));
         file->write();
@@ -301,16 +315,21 @@ void KeptExercise::add_reached(run::CheckpointView state) {
     file_->add(Record::reached, wire::encode(checkpoint_));
 }
 
+void KeptExercise::add_status(KeptWriter& file, const Reached& reached) {
+    ExerciseStatus status;
+    status.tick(reached.state.tick);
+    status.time(reached.state.time);
+    status.run(reached.state.run);
+    status.state(static_cast<windlass::RunState>(reached.run_state));
+    status.time_scale(reached.time_scale);
+    file.add(Record::status, wire::encode(status));
+    status_ = reached;
+}
+
 void KeptExercise::write(const Reached& reached) {
     if (!file_ || reached.state.run != run_) return;
-    if (!last_ || last_->run_state != reached.run_state || last_->time_scale != reached.time_scale) {
-        ExerciseStatus status;
-        status.tick(reached.state.tick);
-        status.time(reached.state.time);
-        status.run(reached.state.run);
-        status.state(static_cast<windlass::RunState>(reached.run_state));
-        status.time_scale(reached.time_scale);
-        file_->add(Record::status, wire::encode(status));
+    if (!status_ || status_->run_state != reached.run_state || status_->time_scale != reached.time_scale) {
+        add_status(*file_, reached);
         news_ = true;
     }
     if (!last_ || last_->state.tick != reached.state.tick ||

@@ -89,6 +89,7 @@ private:
     /// How far the exercise has come.
     struct Reached {
         run::CheckpointView state; ///< without data; state_hash 0: not known
+        /// One that holds for a question runs: it goes on by itself once that is answered.
         exercise::RunState run_state = exercise::RunState::ready;
         double time_scale = 1;
     };
@@ -97,8 +98,9 @@ private:
     bool disk_is_slow(Clock::time_point now) const;
     void put(News news);
     void write(const run::OrderView& order);
-    void write(const run::CheckpointView& checkpoint);
+    void write(const run::CheckpointView& checkpoint, const std::optional<Reached>& reached);
     void write(const Reached& reached);
+    void add_status(KeptWriter& file, const Reached& reached);
     void add_reached(run::CheckpointView state);
     void note_synced();
     void prune();
@@ -141,6 +143,7 @@ private:
     run::KeptCourse course_;                    // of that file
     bool news_ = false;                         // something to write that is worth it
     std::optional<Reached> last_;               // that stands in the file
+    std::optional<Reached> status_;             // whose status does
     std::uint64_t run_ = 0;                     // of the file
     int begun_ = 0;                             // files, since the server's start
     std::uint64_t noted_ = 0;                   // up to which byte the file says to be on the disk

@@ -29,7 +29,7 @@ enum class Record : std::uint8_t {
     checkpoint,    ///< Checkpoint
     order,         ///< OrderTaken
     reached,       ///< Checkpoint without data: how far the exercise has come
-    status,        ///< ExerciseStatus, when state or time scale has changed
+    status,        ///< ExerciseStatus, at first and when state or time scale has changed
     synced         ///< everything up to that byte is on the disk
 };
 

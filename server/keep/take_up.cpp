@@ -93,6 +93,7 @@ std::optional<Kept> open_kept(const KeptContents& contents, const fs::path& file
                               const TakeUp& wanted) {
     std::optional<Kept> kept;
     run::KeptCourse course;
+    std::optional<ExerciseStatus> status; // the first one stands before the checkpoint
     try {
         for (const auto& [kind, at, payload] : contents.entries()) {
             if (kind == Record::beginning) {
@@ -101,20 +102,21 @@ std::optional<Kept> open_kept(const KeptContents& contents, const fs::path& file
                 course = beginning.course;
             } else if (kind == Record::checkpoint) {
                 kept = Kept{.file = file, .course = course, .checkpoint = wire::decode<Checkpoint>(payload)};
+            } else if (kind == Record::status) {
+                status = wire::decode<ExerciseStatus>(payload);
+                check_time_scale(status->time_scale());
             } else if (!kept) {
                 continue;
             } else if (kind == Record::order) {
                 kept->orders.push_back(dds::order_view(wire::decode<OrderTaken>(payload)));
             } else if (kind == Record::reached) {
                 kept->reached.push_back(wire::decode<Checkpoint>(payload));
-            } else if (kind == Record::status) {
-                kept->status = wire::decode<ExerciseStatus>(payload);
-                check_time_scale(kept->status->time_scale());
             }
         }
     } catch (const std::exception& error) {
         throw KeptError(file.string() + ": " + error.what());
     }
+    if (kept) kept->status = std::move(status);
     return kept;
 }
 

@@ -19,7 +19,7 @@ struct TakeUp {
     std::optional<std::uint64_t> definition_hash;
     /// Throws std::exception when the definition that was kept is not one that a file could give.
     std::function<void(const exercise::ExerciseDef&)> check;
-    bool running = false; ///< what ran runs on, and does not stand paused
+    bool running = false; ///< what ran runs on, or holds for its question again, and does not stand paused
 };
 
 struct TakenUp {

@@ -71,6 +71,32 @@ TEST(SimulatedDisk, HasNothingOfAnExerciseThatEndedAfterAPowerCut) {
     }
 }
 
+// A file with a checkpoint says from its beginning whether the exercise ran.
+TEST(SimulatedDisk, HasThatTheExerciseRanAtWhateverCallItsServerIsLost) {
+    bool lost = true;
+    for (std::uint64_t k = 1; lost; ++k) {
+        World world(k);
+        SimDisk disk(world);
+        KeptExercise kept(kFolder, "anna", test::let_go_hash(), disk, [&world] { return world.time(); });
+        LetGo let_go;
+        keep_up_to(2970, kept, let_go);
+        let_go.go_to(3001, &kept); // with the next checkpoint
+        disk.lose_in(k, Loss::killed);
+        lost = false;
+        try {
+            kept.write_waiting();
+        } catch (const sim::Crash&) {
+            lost = true;
+        }
+        disk.lose(Loss::killed);
+        const auto taken =
+            take_up(kFolder, "anna", kAside,
+                    {.definition_hash = test::let_go_hash(), .check = {}, .running = true}, disk);
+        ASSERT_TRUE(taken && taken->def) << k;
+        EXPECT_EQ(taken->how.state, exercise::RunState::running) << k;
+    }
+}
+
 std::optional<TakenUp> start(SimDisk& disk, std::uint64_t definition_hash = test::let_go_hash()) {
     return take_up(kFolder, "anna", kAside, {.definition_hash = definition_hash, .check = {}}, disk);
 }

@@ -129,6 +129,39 @@ TEST_F(TakenUpTest, RunsOnWhereThatIsWantedAndItRan) {
     EXPECT_EQ(LetGo(again->how).session().status().state, RunState::paused) << "somebody had paused it";
 }
 
+TEST_F(TakenUpTest, HoldsForItsQuestionAgainWhereItWasToRunOnAndGoesOnOnceThatIsAnswered) {
+    exercise::ExerciseDef def;
+    def.lesson = R"({"id": "T", "criteria": [)"
+                 R"({"id": "out", "kind": "question", "ask": "How much is out?", "of": "cable_out",)"
+                 R"( "tolerance": 2, "when": {"time": 1, "cable_speed": {"below": 99}}}]})";
+    const std::uint64_t hash = exercise::definition_hash(def);
+    for (const bool paused : {false, true}) { // besides, by an instructor
+        KeptExercise kept(path_, "anna", hash);
+        LetGo let_go({}, def);
+        let_go.look(&kept);
+        let_go.go_to(600, &kept);
+        ASSERT_TRUE(let_go.session().held());
+        if (paused) let_go.give(RunAction::pause);
+        let_go.look(&kept);
+        kept.write_waiting();
+        const auto taken = taken_up({.definition_hash = hash, .check = {}, .running = true});
+        ASSERT_TRUE(taken && taken->def) << (taken ? taken->how.refused : "nothing is kept");
+        LetGo again(taken->how, def);
+        run::Session& session = again.session();
+        EXPECT_EQ(session.now_tick(), 300U);
+        EXPECT_EQ(session.status().state, RunState::paused);
+        EXPECT_EQ(session.held(), !paused);
+        ASSERT_FALSE(session.questions().empty());
+        EXPECT_EQ(session.questions().back().id, "out");
+        run::Inbox inbox;
+        inbox.orders.push_back(
+            {"trainee",
+             run::AnswerOrder{true, {.question = "out", .kind = exercise::AnswerKind::number, .value = 5}}});
+        session.carry_out(inbox, session.now_time());
+        EXPECT_EQ(session.running(), !paused);
+    }
+}
+
 TEST_F(TakenUpTest, ComesBackAgainAndAgainWhenTheServerIsLostAgainAndAgain) {
     lose_at(1000);
     for (const std::uint64_t tick : {4000, 7100, 10'200}) { // each time behind its next checkpoint

@@ -177,6 +177,23 @@ public:
         }
         return "";
     }
+    /// What they find of the next server, where what ran is to run on, as it takes the exercise up so.
+    std::string taken_up(exercise::RunState state) {
+        checks_.handed_over(checks_.place());
+        checks_.starts({});
+        run::SessionOptions next = options();
+        next.first_run = 200;
+        run::Resumption& how = next.resumption.emplace();
+        how.checkpoint = session_.state();
+        how.state = state;
+        const run::Session taken(session_.def(), std::move(next));
+        try {
+            checks_.begins(taken, {.taken_up = true, .running = true});
+        } catch (const Failure& found) {
+            return found.check + ": " + found.expected + ", " + found.found;
+        }
+        return "";
+    }
 
 private:
     static run::SessionOptions options() {
@@ -360,6 +377,23 @@ TEST(Checks, KnowThatAnAnswerIsNotInTheMomentBeforeItThatIsRestored) {
     centre.go_on(0.1);
     centre.order(EXERCISE_RESTORE, 6);
     EXPECT_EQ(centre.failure(0.1), "");
+}
+
+TEST(Checks, FindAnExerciseThatHeldForAQuestionAndStandsUntilSomebodyStartsIt) {
+    using exercise::RunState;
+    for (const bool paused : {false, true}) { // besides, by an instructor
+        Checked one(with_questions({})), other(with_questions({}));
+        for (Checked* centre : {&one, &other}) {
+            centre->go_on(6.5);
+            if (paused) centre->order(EXERCISE_PAUSE);
+            centre->go_on();
+        }
+        const std::string holds = one.taken_up(RunState::running), stands = other.taken_up(RunState::paused);
+        EXPECT_EQ(holds, paused ? "kept: the exercise stands, it goes on" : "");
+        EXPECT_EQ(stands, paused ? ""
+                                 : "kept: the exercise runs on, or holds for its question, "
+                                   "it stands until somebody starts it");
+    }
 }
 
 // The one's word is of a run that another followed in the same tick, and is not looked at.
