@@ -25,6 +25,7 @@ constexpr auto kMostAsked = static_cast<int>(words::limits::bridge_asks);
 constexpr double kCorrects = 2;     // s after a wrong repeat
 constexpr double kWaitsRepeat = 5;  // s after a repeat should have come
 constexpr double kWaitsAnswer = 30; // s after an order should have been carried out, and since the last word
+constexpr double kWaitsTruth = 30;  // s after an answer to its question that is not so
 constexpr double kWaitsLonger = 30; // s for the repeat of an order where it waits longer
 constexpr const char* kLastCall = "this is my last call: if I have no correct answer I will abort";
 constexpr std::size_t kMostText = 256; // bytes of an order's text; of the IDL
@@ -219,6 +220,17 @@ double waits_for_repeat(const BridgeOrderGiven& given, const State& state) {
     return longer ? std::max(usual, kWaitsLonger) : usual;
 }
 
+/// s that it waits before it asks again where it was told what is not so, however often it is told that.
+double waits_for_truth(const Lesson& lesson) {
+    return std::min(lesson.patience, kWaitsTruth);
+}
+
+/// It goes on from here.
+void has_its_answer(State& state) {
+    state.asked = 0;
+    state.misled_at = -1;
+}
+
 /// What it says when it asks: the last time also what comes of it where nothing is heard.
 std::string call_words(const std::string& words, const std::string& text, const State& state) {
     const std::string last =
@@ -375,6 +387,7 @@ private:
 
     void say(const BridgeOrderGiven& given) {
         state_.spoke_at = state_.tick;
+        state_.misled_at = -1;
         due_.emplace_back(given);
     }
 
@@ -410,10 +423,13 @@ private:
         return work;
     }
 
-    /// Asks for the report that the next order or the end hangs on, when it has heard nothing for long.
+    /// Asks for the report that the next order or the end hangs on, when it has heard nothing for long, or
+    /// what is not so.
     bool ask_for_report(int newest) {
         const Condition* when = comes_next(lesson_, state_);
-        if (when == nullptr || men_work() || !passed(last_word(), lesson_.patience)) return true;
+        const bool waited = state_.misled_at < 0 ? passed(last_word(), lesson_.patience)
+                                                 : passed(state_.misled_at, waits_for_truth(lesson_));
+        if (when == nullptr || men_work() || !waited) return true;
         const std::int64_t since = newest < 0 ? 0 : state_.orders[static_cast<std::size_t>(newest)].given;
         const auto report = awaited(*when, lesson_, state_, since);
         if (!report) return true;
@@ -496,9 +512,13 @@ void take_answer(const Heard& report, const Look& look) {
             if (report.side < 0 || report.side == side)
                 state.told.at(static_cast<std::size_t>(side)) = in_the_pipe(report);
     // What is not so is no answer: the bridge has it looked at, by its camera or by a man sent forward.
-    if (state.question >= 0 && answers(asked_last(state), report.code) && !is_false(report, look)) {
-        state.question = -1;
-        state.asked = 0;
+    if (state.question >= 0 && answers(asked_last(state), report.code)) {
+        if (!is_false(report, look)) {
+            state.question = -1;
+            has_its_answer(state);
+        } else if (state.asked > 0 && state.misled_at < 0) {
+            state.misled_at = state.tick;
+        }
     }
     for (FurtherOrder& order : state.further) {
         const bool his = report.side < 0 || order.side < 0 || report.side == order.side;
@@ -518,7 +538,7 @@ void take_answer(const Heard& report, const Look& look) {
             if (less) continue;
         }
         course.answered = state.tick;
-        state.asked = 0;
+        has_its_answer(state);
     }
 }
 
@@ -532,6 +552,7 @@ std::int64_t gives_up_at(const Lesson& lesson, const State& state, int tick_rate
         return -1;
     std::int64_t since = std::max({state.begin, state.heard_at, state.spoke_at});
     double wait = lesson.patience, at_last = 0; // s; at_last: after its last call, at least
+    double sooner = 0;                          // s, by which it waits less this time
     if (const int k = open_order(lesson, state); k >= 0) {
         const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
         const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;
@@ -539,8 +560,11 @@ std::int64_t gives_up_at(const Lesson& lesson, const State& state, int tick_rate
         wait = not_repeated ? waits_for_repeat(given, state) : kWaitsAnswer;
         at_last = not_repeated ? kWaitsLonger : 0;
         if (!not_repeated) since = std::max({since, course.given, course.do_by});
+    } else if (state.misled_at >= 0) {
+        since = state.misled_at;
+        sooner = wait - waits_for_truth(lesson);
     }
-    const double in_all = (kMostAsked - state.asked) * wait + std::max(wait, at_last);
+    const double in_all = (kMostAsked - state.asked) * wait + std::max(wait, at_last) - sooner;
     return since + std::llround(in_all * tick_rate);
 }
 
@@ -562,21 +586,12 @@ bool was_misunderstood(const Lesson& lesson, const State& state) {
 }
 
 bool was_told_falsely(const Lesson& lesson, const State& state) {
-    if (!state.gave_up || state.question < 0 || was_misunderstood(lesson, state)) return false;
+    if (!state.gave_up || state.question < 0 || state.misled_at < 0 || was_misunderstood(lesson, state))
+        return false;
     // Of an order that is open it asks nothing but how much is out.
     const int open = open_order(lesson, state);
-    const bool is_asked = open < 0 || (asked_last(state).code == BridgeOrderCode::how_much &&
-                                       of_length(lesson.orders[static_cast<std::size_t>(open)].given));
-    if (!is_asked) return false;
-    const auto falsely = [&](const std::vector<JudgedReport>& reports, const std::vector<Criterion>& of) {
-        return std::ranges::any_of(reports, [&](const JudgedReport& report) {
-            const ReportCode code = report.code != ReportCode::text
-                                        ? report.code
-                                        : of[static_cast<std::size_t>(report.criterion)].report;
-            return report.milli == 0 && report.tick >= state.spoke_at && answers(asked_last(state), code);
-        });
-    };
-    return falsely(state.judged, lesson.criteria) || falsely(state.unasked, lesson.unasked);
+    return open < 0 || (asked_last(state).code == BridgeOrderCode::how_much &&
+                        of_length(lesson.orders[static_cast<std::size_t>(open)].given));
 }
 
 std::string gave_up_words(const Lesson& lesson, const State& state) {

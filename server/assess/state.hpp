@@ -183,7 +183,8 @@ struct State {
     bool intervened = false;                   ///< others went in, by an instructor
     int question = -1;                         ///< BridgeOrderCode that it asked last; -1: it was answered
     std::int64_t heard_at = -1, spoke_at = -1; ///< ticks of the last words of forecastle and bridge
-    std::array<double, 2> told{-1, -1};        ///< shackles in the pipe as last reported; -1: never
+    std::int64_t misled_at = -1;        ///< of the first answer that is not so; -1: none since it asked
+    std::array<double, 2> told{-1, -1}; ///< shackles in the pipe as last reported; -1: never
     bool confirmed = false;
     std::vector<Came> events, reports, moments;
     std::vector<OrderCourse> orders;

@@ -191,7 +191,7 @@ private:
     void tell_hints();
     bool is_done(const assess::AidWord& hint) const;
     void tell_when_the_lesson_is_over();
-    void tell_unanswered(int asked_before);
+    void tell_unanswered(int asked_before, bool misled_before);
     void tell_when_the_bridge_gives_up();
     bool asks() const;
     void tell_questions();

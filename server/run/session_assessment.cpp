@@ -15,12 +15,13 @@ void Session::assess() {
     if (!assessor_.assesses()) return;
     const bool was_over = assessor_.ended();
     const int asked = assessor_.state().asked;
+    const bool misled = assessor_.state().misled_at >= 0;
     due_.clear();
     assessor_.fold(snapshot_, due_);
     for (const exercise::Order& order : due_)
         apply(order, kServerName);
     tell_hints();
-    tell_unanswered(asked);
+    tell_unanswered(asked, misled);
     if (!due_.empty()) look(); // before a checkpoint is taken, which has these orders in it
     const auto second = static_cast<std::uint64_t>(def().tick_rate_hz);
     const bool just_over = assessor_.ended() && !was_over;
@@ -47,11 +48,12 @@ void Session::tell_hints() {
     }
 }
 
-/// To those who have the truth: the bridge has asked, and how long it does so; it has heard what it wanted.
-void Session::tell_unanswered(int asked_before) {
-    const int asked = assessor_.state().asked;
-    if (asked == 0 && asked_before > 0) log("assessment.answered", "the bridge has its answer");
-    if (asked > asked_before) tell_when_the_bridge_gives_up();
+/// To those who have the truth: the bridge has asked, or was told what is not so, and how long it goes on; it
+/// has heard what it wanted. Before: at the tick before.
+void Session::tell_unanswered(int asked_before, bool misled_before) {
+    const auto& now = assessor_.state();
+    if (now.asked == 0 && asked_before > 0) log("assessment.answered", "the bridge has its answer");
+    if (now.asked > asked_before || (now.misled_at >= 0 && !misled_before)) tell_when_the_bridge_gives_up();
 }
 
 /// Nothing where it has not had to ask.
@@ -60,8 +62,10 @@ void Session::tell_when_the_bridge_gives_up() {
     const std::int64_t at = assess::gives_up_at(*assessor_.lesson(), assessor_.state(), rate);
     if (at < 0) return;
     const double until = static_cast<double>(at) / rate;
+    const bool misled = assessor_.state().misled_at >= 0;
     log("assessment.unanswered",
-        fmt::format("the bridge asks again: if it hears nothing it gives up at {}, and the lesson ends",
+        fmt::format("the bridge {}: if it hears nothing{} it gives up at {}, and the lesson ends",
+                    misled ? "was told what is not so" : "asks again", misled ? " else" : "",
                     clock_text(until)),
         -1, until);
 }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace windlass::assess {
 
 namespace {
@@ -289,30 +291,68 @@ TEST(Bridge, ThatGaveUpOverAQuestionOfItsOwnSaysWhich) {
 namespace {
 
 /// What comes next hangs on a report for which the bridge has no question: it asks how much cable is out.
-const std::string kWaitsToSecure = R"({"id": "T", "patience": 60, "orders": [
+std::string waits_to_secure(int patience) {
+    return R"({"id": "T", "patience": )" + std::to_string(patience) + R"(, "orders": [
     {"id": "clear", "code": "stand_clear", "when": {"time": 1}},
     {"id": "secure", "code": "secure", "when": {"report": "clear_anchor"}}],
   "criteria": [{"id": "o", "kind": "order", "orders": ["clear", "secure"]}], "end": {"time": 3000}})";
+}
+const std::string kWaitsToSecure = waits_to_secure(60);
 
 } // namespace
 
-// As long as of silence: a word that is not so puts off no more than the time at which he says it.
-TEST(Bridge, TakesWhatIsNotSoForNoAnswerAndGivesUp) {
-    Bridge bridge(kWaitsToSecure);
-    bridge.chain().cable_out = 60;
-    for (std::size_t asked = 1; asked <= 3; ++asked) {
-        bridge.on(62);
-        ASSERT_EQ(bridge.said.size(), 1 + asked);
-        EXPECT_EQ(bridge.said.back().code, BridgeOrderCode::how_much);
-        bridge.report(ReportCode::shackles_in_pipe, 1); // two and more are out
+// With L04's patience: it knows that there is somebody who speaks, and need not wait for him as for a silent
+// man. However often he says it.
+TEST(Bridge, TakesWhatIsNotSoForNoAnswerAsksAgainSoonAndGivesUp) {
+    for (const double says_it_every : {1e9, 10.0}) { // s
+        Bridge bridge(waits_to_secure(240));
+        bridge.chain().cable_out = 60;
+        std::vector<double> asked;  // at s
+        std::int64_t foretold = -1; // tick
+        double said_at = 0;
+        while (!bridge.now().finished && bridge.seen().time < 1500) {
+            const std::size_t before = bridge.said.size();
+            bridge.on(1);
+            const bool asks = bridge.said.size() > std::max<std::size_t>(before, 1);
+            if (asks) asked.push_back(bridge.seen().time);
+            if (asks || (!asked.empty() && bridge.seen().time - said_at > says_it_every)) {
+                bridge.report(ReportCode::shackles_in_pipe, 1); // two and more are out
+                said_at = bridge.seen().time;
+            }
+            const std::int64_t at = gives_up_at(bridge.taught(), bridge.state(), kRate);
+            if (at >= 0) foretold = at;
+        }
+        ASSERT_EQ(asked.size(), 3U) << says_it_every;
+        EXPECT_NEAR(asked[0], 241, 2);
+        EXPECT_NEAR(asked[1] - asked[0], 31, 2);
+        EXPECT_NEAR(asked[2] - asked[1], 31, 2);
+        ASSERT_TRUE(bridge.now().finished);
+        EXPECT_NEAR(bridge.seen().time - asked[2], 31, 2) << "5 minutes and a half after the last true word";
+        EXPECT_EQ(foretold, bridge.state().ended);
+        EXPECT_EQ(bridge.now().ending, Ending::time);
+        EXPECT_EQ(bridge.now().abort,
+                  "the bridge was told what is not so when it asked \"how much port cable is out?\"");
+        EXPECT_TRUE(was_told_falsely(bridge.taught(), bridge.state()));
     }
-    EXPECT_FALSE(bridge.now().finished);
-    bridge.on(62);
+}
+
+TEST(Bridge, IsAsPatientAgainWithHimWhoFellSilentAfterWhatIsNotSo) {
+    Bridge bridge(waits_to_secure(240));
+    bridge.chain().cable_out = 60;
+    bridge.on(243);
+    ASSERT_EQ(bridge.said.size(), 2U);
+    bridge.report(ReportCode::shackles_in_pipe, 1);
+    bridge.on(1);
+    const std::int64_t foretold = gives_up_at(bridge.taught(), bridge.state(), kRate);
+    bridge.on(31);
+    ASSERT_EQ(bridge.said.size(), 3U);
+    bridge.on(238);
+    EXPECT_EQ(bridge.said.size(), 3U);
+    bridge.on(3);
+    EXPECT_EQ(bridge.said.size(), 4U);
+    bridge.on(300);
     ASSERT_TRUE(bridge.now().finished);
-    EXPECT_EQ(bridge.now().ending, Ending::time);
-    EXPECT_EQ(bridge.now().abort,
-              "the bridge was told what is not so when it asked \"how much port cable is out?\"");
-    EXPECT_TRUE(was_told_falsely(bridge.taught(), bridge.state()));
+    EXPECT_EQ(bridge.state().ended, foretold);
 }
 
 TEST(Bridge, IsContentWithAWordThatPutsAFalseOneRight) {

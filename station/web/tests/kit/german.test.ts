@@ -39,6 +39,11 @@ void test("sentences that the server makes up are read in German", () => {
       "die Brücke fragt noch einmal: hört sie nichts, gibt sie bei 6:18 auf, und die Lektion endet",
     ],
     [
+      "assessment.unanswered",
+      "the bridge was told what is not so: if it hears nothing else it gives up at 6:18, and the lesson ends",
+      "der Brücke wurde Falsches gemeldet: hört sie nichts anderes, gibt sie bei 6:18 auf, und die Lektion endet",
+    ],
+    [
       "exercise.restored",
       "exercise restored to 1:02, paused, from monday at 0:00 by desk-1",
       "Übung zurückgesetzt auf 1:02, angehalten, nach monday at 0:00, von desk-1",
