@@ -250,8 +250,8 @@ void Session::carry_out(const exercise::Order& command, const ReceivedOrder& fro
     apply(lever_pickup_.taken_up(command, from, status_.run, exercise_), source);
     if (std::holds_alternative<exercise::AssessorsWord>(command)) {
         new_assessment_ = assessor_.result();
-        tell_when_the_lesson_is_over();
-        go_on_when_answered(); // by the word that ended the lesson
+        tell_when_the_lesson_is_over(); // which the word has ended, of an exercise that a fault has stopped
+        go_on_when_answered();
     }
     const auto* fault = std::get_if<exercise::FaultOrder>(&command);
     if (fault != nullptr && fault->trigger == exercise::FaultTrigger::at_chance && !fault->clear)

@@ -97,14 +97,20 @@ void Session::close_assessment(const std::string& reason) {
     tell_questions();
 }
 
-/// Whether there is something of that name to judge.
+/// Whether there is something of that name to judge. The whole is, once the lesson is over: who has a word on
+/// the marks ends nobody's lesson.
 bool Session::judged(const exercise::AssessorsWord& word, const std::string& source) {
     if (!assessor_.assesses()) {
         refuse("AssessmentCommand", source, "criterion", '"' + word.criterion + '"',
                "none: this exercise has no lesson");
         return false;
     }
-    if (word.criterion.empty()) return true;
+    if (word.criterion.empty()) {
+        if (assessor_.ended() || over()) return true; // one that a fault has stopped never ends by itself
+        refuse("AssessmentCommand", source, "criterion", "\"\"",
+               "the code of a criterion: the whole is confirmed once the lesson is over");
+        return false;
+    }
     std::string known;
     for (const auto& criterion : assessor_.lesson()->criteria) {
         if (criterion.id == word.criterion) return true;

@@ -279,11 +279,38 @@ TEST_F(EndOfALesson, OverAQuestionThatWasAnsweredFalselyToTheLastIsNoWantOfAnAns
     EXPECT_EQ(text_of(session, "lesson.over"), "the lesson is over: the bridge was told what is not so");
 }
 
-TEST_F(EndOfALesson, IsToldWhenAnAssessorEndsItOrTheExerciseIsEnded) {
-    Session confirmed(def(), options());
-    give(confirmed, exercise::Order{exercise::AssessorsWord{
-                        .criterion = {}, .verdict = {}, .milli = 0, .note = "seen enough", .by = "i"}});
-    EXPECT_EQ(text_of(confirmed, "lesson.over"), "the lesson is over: it was ended");
+TEST_F(EndOfALesson, IsNoAssessorsWhoHasAWordOnItsMarksAlone) {
+    const auto confirm = [](Session& session) {
+        session.clear_news();
+        give(session, exercise::Order{exercise::AssessorsWord{.criterion = {},
+                                                              .verdict = exercise::AssessorVerdict::confirmed,
+                                                              .milli = 0,
+                                                              .note = "seen enough",
+                                                              .by = "i"}});
+    };
+    Session session(def(), options());
+    give(session, levers(1));
+    run(session, 100);
+    confirm(session);
+    EXPECT_EQ(
+        text_of(session, "command.refused"),
+        "AssessmentCommand from instructor: criterion = \"\" refused; allowed: the code of a criterion: "
+        "the whole is confirmed once the lesson is over");
+    EXPECT_FALSE(session.assessor().ended());
+    EXPECT_TRUE(session.orders().empty());
+    run(session, 100);
+    ASSERT_TRUE(session.assessor().ended());
+    confirm(session);
+    EXPECT_TRUE(session.assessor().state().confirmed);
+
+    Session failed(def(), options());
+    failed.fail("a test");
+    confirm(failed);
+    EXPECT_TRUE(failed.assessor().state().confirmed) << "its lesson never ends by itself";
+    EXPECT_EQ(text_of(failed, "lesson.over"), "the lesson is over: it was ended");
+}
+
+TEST_F(EndOfALesson, IsToldWhenTheExerciseIsEnded) {
     Session stopped(def(), options());
     give(stopped, run_order(RunAction::stop));
     EXPECT_EQ(text_of(stopped, "lesson.over"), "the lesson is over: it was ended");
