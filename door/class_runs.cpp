@@ -143,14 +143,14 @@ std::optional<Asking> ClassRuns::asking(const std::string& exercise) const {
 }
 
 bool ClassRuns::holds_for_a_question(const std::string& exercise) const {
-    int open = 0;     // of those that were looked at
-    int answered = 0; // behind the one that is looked at
+    static const std::set<std::string> kElse{"exercise.paused", "exercise.resumed", "exercise.started",
+                                             "exercise.taken_up", "lesson.over"};
+    bool holds = false;
     look_back(exercise, [&](const Event& event) {
-        if (event.code() == "question.answered" || event.code() == "question.passed_over") ++answered;
-        if (event.code() == "question.asked" && answered-- == 0) ++open;
-        return open == 0 && answered >= 0 && event.code() != "lesson.over";
+        holds = event.code() == "exercise.held";
+        return !holds && !kElse.contains(event.code().to_string());
     });
-    return open > 0;
+    return holds;
 }
 
 /// From when somebody sits there: so the recorder hears before it is started.

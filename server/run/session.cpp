@@ -286,7 +286,7 @@ void Session::carry_out(const RunOrder& order, const ReceivedOrder& from) {
         if (state == RunState::paused && asks()) {
             if (held_) return pass_over_questions(source);
             held_ = true;
-            log("exercise.paused", "exercise holds for a question");
+            log("exercise.held", "exercise holds for a question");
             return;
         }
         if (state == RunState::ready || state == RunState::paused) {

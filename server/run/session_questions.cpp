@@ -75,7 +75,7 @@ void Session::hold_for_questions() {
     if (!running() || !asks()) return;
     status_.state = RunState::paused;
     held_ = true;
-    log("exercise.paused", "exercise holds for a question");
+    log("exercise.held", "exercise holds for a question");
 }
 
 /// Once nobody is asked any more, what held for that goes on.

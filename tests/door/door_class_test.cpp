@@ -226,6 +226,14 @@ TEST_F(Class, IsNotStartedOverAQuestionThatASeatIsBeingAsked) {
     EXPECT_EQ(refused.status, 409);
     EXPECT_THAT(refused.body, HasSubstr("holds for a question"));
     EXPECT_EQ(told()["asked"], true);
+
+    // Paused besides, as it stands where a server has taken it up: a start has it hold again, and passes
+    // nothing.
+    EXPECT_EQ(owner().post("/door/class", {{"do", "pause"}, {"class", "mon"}}).status, 200);
+    ASSERT_TRUE(eventually([&] { return told()["asked"] == false; })) << told();
+    EXPECT_EQ(start().status, 200);
+    EXPECT_TRUE(eventually([&] { return told()["asked"] == true; })) << told();
+    EXPECT_EQ(start().status, 409);
 }
 
 TEST_F(Class, IsStartedWhereSomebodySitsAndElsewhereOnceSomebodyDoes) {
