@@ -101,7 +101,11 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
             done.bounds.push_back(between("shackles", order.value - kAtMark, order.value + kAtMark));
         break;
     case BridgeOrderCode::walk_back:
-        done.bounds = {is("clutch_in"), above("cable_speed", 0.02)};
+        if (order.value > 0) // what is only begun is not carried out
+            done.bounds = {between("cable_speed", -kStands, kStands),
+                           between("shackles", order.value - kAtMark, order.value + kAtMark)};
+        else
+            done.bounds = {is("clutch_in"), above("cable_speed", 0.02)};
         break;
     case BridgeOrderCode::gear_in:
         done.bounds = {is("clutch_in")};
@@ -111,7 +115,11 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
         break;
     case BridgeOrderCode::heave:
     case BridgeOrderCode::heave_to:
-        done.bounds = {below("cable_speed", -0.02)};
+        if (order.value > 0)
+            done.bounds = {between("cable_speed", -kStands, kStands),
+                           below("shackles", order.value + kAtMark)};
+        else
+            done.bounds = {below("cable_speed", -0.02)};
         break;
     case BridgeOrderCode::stop_heaving:
         done.bounds = {below("speed_lever", 0.01), stopped()};

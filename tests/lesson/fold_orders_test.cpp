@@ -117,6 +117,27 @@ TEST(Assessment, OrderToHoldOnIsNotCarriedOutWithMoreOutThanItSays) {
     }
 }
 
+// One jerk of the lever heaves no four shackles in, nor walks them out.
+TEST(Assessment, CableThatOnlyBeginsToComeIsNotHoveOrWalkedToItsMark) {
+    for (const auto& [code, speed] : {std::pair("heave_to", -0.1), std::pair("walk_back", 0.1)}) {
+        Course course(
+            lesson(R"({"id": "o", "kind": "order", "orders": "heave"})",
+                   std::string(R"(, "orders": [{"id": "heave", "code": ")") + code + R"(", "value": 3}])"));
+        course.chain().cable_out = (speed < 0 ? 5 : 1) * 27.5;
+        course.run(1);
+        ASSERT_EQ(course.due.size(), 1u);
+        give_first(course, exercise::BridgeOrderState::repeated);
+        course.windlass().clutch = exercise::ClutchState::in;
+        course.windlass().cable_speed = speed;
+        course.run(10);
+        EXPECT_EQ(course.now().orders.at(0).tick, 0U) << code;
+        course.windlass().cable_speed = 0;
+        course.chain().cable_out = 3 * 27.5;
+        course.run(10);
+        EXPECT_GT(course.now().orders.at(0).tick, 0U) << code;
+    }
+}
+
 // Checked for two seconds at the second mark and let go on to the third, it was not paid out to two.
 TEST(Assessment, CableThatPausesAtItsMarkHasNotBeenPaidOutToIt) {
     Course course(lesson(R"({"id": "o", "kind": "order", "orders": "pay"})",
