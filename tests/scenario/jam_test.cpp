@@ -73,4 +73,31 @@ TEST(Jam, TripsTheMotorOfWhoHeavesOnAndNotOfWhoStopsAndClearsThePipe) {
     }
 }
 
+// A motor drags the cable out through a light jam, and nobody can tell; let go, it stands, once for each try.
+TEST(Jam, IsToldWhereLetGoCableStandsAndNotWhereTheMotorDragsItOut) {
+    Drill drill(quiet_def(60, 8));
+    drill.run(1);
+    drill.fault(FaultCode::spurling_pipe_jammed, 0.06);
+    drive(drill, -0.5);
+    ASSERT_TRUE(drill.run_until([&] { return drill.chain().cable_out > 12; }, 60));
+    drill.speed_lever(0);
+    drill.run(5);
+    drill.brake(1);
+    drill.run(6);
+    drill.clutch(false);
+    ASSERT_TRUE(drill.run_until([&] { return drill.windlass().clutch == ClutchState::out; }, 10));
+    drill.run(10);
+    EXPECT_EQ(drill.count("spurling_pipe.fast"), 0) << "it ran, and then it was held";
+    for (const int tries : {1, 2}) {
+        drill.brake(0);
+        drill.run(4);
+        EXPECT_EQ(drill.count("spurling_pipe.fast"), tries - 1) << "nobody can tell yet";
+        drill.run(26);
+        EXPECT_EQ(drill.count("spurling_pipe.fast"), tries);
+        drill.brake(1);
+        drill.run(6);
+    }
+    EXPECT_EQ(drill.count("anchor.let_go"), 0);
+}
+
 } // namespace windlass::exercise

@@ -22,6 +22,11 @@ constexpr double kDigging = 0.1;      ///< m within half a minute, of an anchor 
 constexpr double kHeap = 0.3;         ///< m of chain under the gypsy that anyone sees
 constexpr double kWedged = 0.2;       ///< of the hawse pipe's efficiency left to a twisted cable
 constexpr double kCooled = 100;       ///< K below smoking; a hand that hunts makes a lining swing by 60
+constexpr double kBrakeOff = 0.5;     ///< of the hand-wheel, from where it holds no anchor's weight
+constexpr double kStands = 0.005;     ///< m/s, cable that stands, and is not lowered however slowly
+constexpr double kStandsLong = 3;     ///< s for which it must stand before anybody says that it does not run
+constexpr int kCalled = -1;           ///< of fast_
+constexpr int kMaxSteps = 1'000'000;  ///< of fast_, in a state that is brought back
 constexpr int kMaxShackles = 1000;    ///< in a state that is brought back: more than any cable has
 
 std::string text(const char* format, double value) {
@@ -47,6 +52,13 @@ bool has(Run run, Run which) {
 void set(Run& run, Run which, bool on) {
     const int others = static_cast<int>(run) & ~static_cast<int>(which);
     run = static_cast<Run>(on ? others | static_cast<int>(which) : others);
+}
+
+/// Whether cable is to run out: let go, or lowered by the motor.
+bool is_to_run_out(const physics::WindlassState& state) {
+    const bool lowered = state.clutch.position == Clutch::in && state.motor.target > 0;
+    return state.brake.position < kBrakeOff && !state.stopper.closed &&
+           (lowered || state.clutch.position != Clutch::in);
 }
 
 /// Calls when a condition comes up, not while it lasts.
@@ -111,6 +123,7 @@ void EventDetector::watch(double dt, const physics::GroundTackle& tackle,
     }
     call_cable(tackle, log);
     call_machine(tackle, log);
+    call_fast(dt, tackle.windlass(), log);
     if (phase_ == AnchorPhase::fouled) brought_up_ = {};
     if (brought_up_.observe(riding, way_)) {
         const double out = physics::shackles_from_metres(tackle.windlass().state().cable_out);
@@ -233,7 +246,6 @@ void EventDetector::call_machine(const physics::GroundTackle& tackle, const Even
             [&] { log("gypsy.jumping", side_, windlass.loads().deck.gypsy_load); });
     on_rise(sprung_, state.stopper.sprung,
             [&] { log("stopper.sprung", side_, windlass.loads().deck.gypsy_load); });
-    on_rise(fast_, windlass.loads().jam > 0, [&] { log("spurling_pipe.fast", side_, windlass.loads().jam); });
     on_rise(heaping_, physics::heaped(state.pipe, state.cable_out) > kHeap,
             [&] { log("spurling_pipe.heaping", side_, state.cable_out); });
     on_rise(glazed_, state.brake.glaze > 0.2, [&] { log("brake.glazed", side_, state.brake.glaze); });
@@ -258,6 +270,28 @@ void EventDetector::call_machine(const physics::GroundTackle& tackle, const Even
             [&] { log("cable.overload", side_, windlass.loads().deck.hawse_tension); });
 }
 
+/// Called once for each try, when it shows: a motor drags cable out through a jam that would hold the
+/// anchor's weight, and then nobody can tell that there is one. Without a jam nothing is remembered.
+void EventDetector::call_fast(double dt, const physics::Windlass& windlass, const EventLog& log) {
+    const physics::WindlassState& state = windlass.state();
+    if (!state.pipe.jammed || !is_to_run_out(state)) {
+        fast_ = 0;
+        return;
+    }
+    if (fast_ == kCalled) return;
+    const double jam = windlass.loads().jam;
+    const int tried = static_cast<int>(std::lround(kStandsLong / dt));
+    if (state.cable_speed > kRunningSpeed) {
+        fast_ = tried; // of cable that ran it shows at once
+    } else if (jam > 0 && state.cable_speed < kStands) {
+        if (++fast_ <= tried) return;
+        fast_ = kCalled;
+        log("spurling_pipe.fast", side_, jam);
+    } else if (fast_ < tried) {
+        fast_ = 0;
+    }
+}
+
 template <class Visitor, physics::StateOf<EventDetector> Self>
 void visit_state(Visitor& v, Self& self) {
     WINDLASS_STATE(v, self.phase_, self.candidate_, self.candidate_time_, self.was_on_bottom_, self.run_,
@@ -267,6 +301,7 @@ void visit_state(Visitor& v, Self& self) {
                    self.overstrained_, self.clutch_refused_, self.stopper_refused_, self.brake_waits_,
                    self.end_, self.fast_, self.heaping_, self.turned_, self.wedged_, self.flukes_inboard_);
     v.within({"shackles"}, self.shackles_, 0, kMaxShackles);
+    v.within({"fast"}, self.fast_, kCalled, kMaxSteps);
 }
 WINDLASS_STATE_LISTED(EventDetector);
 
