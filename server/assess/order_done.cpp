@@ -84,7 +84,8 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
                        above("brake_position", kHardOn)};
         break;
     case BridgeOrderCode::let_go:
-        done.bounds = {below("brake_position", kEased), above("cable_speed", 0.2)};
+        // Cable that the motor walks out is not let go.
+        done.bounds = {below("brake_position", kEased), is_not("clutch_in"), above("cable_speed", 0.2)};
         break;
     case BridgeOrderCode::pay_out:
     case BridgeOrderCode::veer:

@@ -655,6 +655,19 @@ TEST(Bridge, ThatIsMannedHeavesToAFigureUntilTheCableIsInToIt) {
     EXPECT_TRUE(bridge.is_done(0));
 }
 
+// Walked out in gear it is not let go, however fast it goes.
+TEST(Bridge, ThatIsMannedHasAnAnchorLetGoByWhoLetsItGo) {
+    Manned bridge;
+    bridge.windlass().clutch = exercise::ClutchState::in;
+    bridge.windlass().cable_speed = 0.24;
+    bridge.order(BridgeOrderCode::let_go);
+    ASSERT_EQ(bridge.now().orders.size(), 1U);
+    EXPECT_FALSE(bridge.is_done(0));
+    bridge.windlass().clutch = exercise::ClutchState::out;
+    bridge.on(5);
+    EXPECT_TRUE(bridge.is_done(0));
+}
+
 TEST(Bridge, ThatIsMannedSaysNothingByItself) {
     std::string manned = kPayOut;
     manned.insert(manned.find("\"patience\""), "\"bridge\": \"manned\", ");
