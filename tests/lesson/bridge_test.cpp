@@ -1,9 +1,11 @@
 // The bridge of a lesson over made pictures: what it says to what it hears, and when it gives up.
 
+#include "common/json_file.hpp"
 #include "server/assess/bridge.hpp"
 #include "tests/lesson/course.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -666,6 +668,60 @@ TEST(Bridge, ThatIsMannedHasAnAnchorLetGoByWhoLetsItGo) {
     bridge.windlass().clutch = exercise::ClutchState::out;
     bridge.on(5);
     EXPECT_TRUE(bridge.is_done(0));
+}
+
+namespace {
+
+/// L18, whose cable is fast in the spurling pipe: cleared away and walked out in gear, brake hard on,
+/// "standing by" said, and the order to let go given.
+class Stuck : public Bridge {
+public:
+    Stuck() : Bridge(read_json(WINDLASS_CONFIG_DIR "/exercises/L18_stuck.json").at("lesson").dump()) {
+        windlass().brake_position = 0;
+        windlass().clutch = exercise::ClutchState::in;
+        chain().cable_out = 7.8;
+        on(6);
+        event("spurling_pipe.fast"); // at an earlier try
+        on(1);
+        windlass().brake_position = 1;
+        on(2);
+        report(ReportCode::standing_by);
+        on(11);
+    }
+    /// What the criterion has earned, thousandths.
+    int earned(const std::string& code) const {
+        const Result all = now();
+        const auto found = std::ranges::find(all.criteria, code, &CriterionResult::code);
+        return found == all.criteria.end() ? -1 : found->milli;
+    }
+};
+
+} // namespace
+
+TEST(Bridge, ThatHearsOfCableThatNobodyTriedToLetGoHearsNothingThatIsSo) {
+    Stuck lesson;
+    ASSERT_FALSE(lesson.said.empty());
+    ASSERT_EQ(lesson.said.back().code, BridgeOrderCode::let_go);
+    lesson.report(ReportCode::does_not_run);
+    lesson.on(40);
+    lesson.end();
+    EXPECT_EQ(lesson.earned("brake"), 0);
+    EXPECT_EQ(lesson.earned("report"), 0);
+}
+
+// From when nothing ran, and not from when the bridge ordered it.
+TEST(Bridge, HearsInTimeOfCableThatStoodWhenItWasLetGo) {
+    Stuck lesson;
+    lesson.windlass().clutch = exercise::ClutchState::out;
+    lesson.on(60); // the brake stays on
+    EXPECT_EQ(lesson.earned("brake"), 0);
+    lesson.windlass().brake_position = 0;
+    lesson.on(10);
+    lesson.windlass().brake_position = 1;
+    lesson.report(ReportCode::does_not_run);
+    lesson.on(20);
+    EXPECT_EQ(lesson.earned("brake"), 1000);
+    EXPECT_EQ(lesson.earned("report"), 1000);
 }
 
 TEST(Bridge, ThatIsMannedSaysNothingByItself) {
