@@ -42,6 +42,23 @@ TEST(LessonFile, ShippedOneIsSound) {
     EXPECT_EQ(said_of(good_lesson()), "");
 }
 
+// "Standing by" says the same of an anchor that was walked out, and earns nothing there.
+TEST(LessonFile, ThatMarksReadySaysInItsBriefingWhenToReportIt) {
+    int found = 0;
+    for (const fs::directory_entry& file : fs::directory_iterator(kConfig / "exercises")) {
+        if (file.path().extension() != ".json") continue;
+        const json document = read_json(file.path());
+        if (!document.contains("lesson")) continue;
+        const json& lesson = document.at("lesson");
+        for (const json& criterion : lesson.value("criteria", json::array()))
+            if (criterion.value("report", json()) == "anchor_ready") {
+                ++found;
+                EXPECT_THAT(lesson.value("briefing", ""), HasSubstr("ready when")) << file.path();
+            }
+    }
+    EXPECT_GT(found, 2);
+}
+
 TEST(LessonFile, EachMistakeIsToldWithItsPlaceAndARemedy) {
     const struct {
         const char* place; ///< where the value is put, or taken away (null)
