@@ -220,11 +220,22 @@ std::string sequence_words(const Lesson& lesson, const Criterion& criterion, con
     return text;
 }
 
+/// How late a state came to be so that was wanted sooner, which is why points are lost.
+std::string how_late(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
+    const std::string moment = spaced(lesson.moments[static_cast<std::size_t>(criterion.at)].id);
+    return " " + late_seconds(mark.decided - mark.began, rate) + " after \"" + moment + "\", wanted " +
+           (criterion.after > 0 ? "within " + number(criterion.after) + " s" : "at once");
+}
+
 std::string state_words(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
     if (mark.decided < 0) return "";
     const std::string at = clock(mark.decided, rate) + " ";
-    if (mark.milli > 0) return at + "wanted: " + condition_words(lesson, criterion.that) + "; it was so";
-    return at + missed_words(lesson, criterion.that, mark.missing, mark.worst);
+    const bool too_late =
+        criterion.graded && mark.milli == 0 && mark.missing < 0; // so, when nothing was left
+    if (mark.milli == 0 && !too_late)
+        return at + missed_words(lesson, criterion.that, mark.missing, mark.worst);
+    return at + "wanted: " + condition_words(lesson, criterion.that) + "; it was so" +
+           (criterion.graded && mark.milli < 1000 ? how_late(lesson, criterion, mark, rate) : "");
 }
 
 /// Until when an order was not carried out: for as long as he had, where so much had passed before the bridge

@@ -219,6 +219,23 @@ TEST(Assessment, TimeToActIsGradedAndNoCliff) {
     }
 }
 
+TEST(Assessment, ReasonOfAStateThatCameTooLateSaysByHowMuch) {
+    const auto braked = [](double after) {
+        Course course(lesson(
+            R"({"id": "b", "kind": "state_at", "at": "bottom", "after": 3, "zero": 13, "that": {"brake_position": {"above": 0.9}}})"));
+        course.windlass().brake_position = 0;
+        course.event("anchor.on_bottom");
+        course.run(after);
+        course.windlass().brake_position = 1;
+        course.run(30);
+        return course.mark().reason;
+    };
+    EXPECT_EQ(braked(2), "0:02 wanted: brake hard on; it was so") << "in time";
+    EXPECT_EQ(braked(8), "0:08 wanted: brake hard on; it was so 8 s after \"bottom\", wanted within 3 s: "
+                         "50 % of its points lost");
+    EXPECT_EQ(braked(40), "0:13 brake was open; wanted: brake hard on: all of its points lost");
+}
+
 // Each order wants its figure, when and where it is carried out; one before it is none of it, and a wrong one
 // takes away the right one.
 TEST(Assessment, AReportOfAFigureBelongsToItsOrder) {
