@@ -300,12 +300,16 @@ void end(const Lesson& lesson, State& state, int tick_rate, Ending ending) {
 }
 
 void look_for_the_end(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate) {
-    for (std::size_t k = 0; k < lesson.abort.size(); ++k)
-        for (const exercise::ExerciseEvent& event : seen.events)
-            if (event.code == lesson.abort[k].code && state.ending == Ending::none) {
-                state.aborted_by = static_cast<int>(k);
-                end(lesson, state, tick_rate, Ending::abort);
-            }
+    for (std::size_t k = 0; k < lesson.abort.size(); ++k) {
+        const Accident& one = lesson.abort[k];
+        const bool has_come = one.when
+                                  ? holds(*one.when, lesson, state, seen, tick_rate)
+                                  : std::ranges::find(seen.events, one.what,
+                                                      &exercise::ExerciseEvent::code) != seen.events.end();
+        if (!has_come || state.ending != Ending::none) continue;
+        state.aborted_by = static_cast<int>(k);
+        end(lesson, state, tick_rate, Ending::abort);
+    }
     if (lesson.good && holds(*lesson.good, lesson, state, seen, tick_rate))
         end(lesson, state, tick_rate, Ending::good);
     if (lesson.time_limit > 0 && state.tick - state.begin >= ticks(lesson.time_limit, tick_rate))

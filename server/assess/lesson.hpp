@@ -197,6 +197,12 @@ struct Hint {
     int criterion = -1;     ///< place in criteria that it helps with; -1: none
 };
 
+/// What ends the lesson as "not yet": an event, or what may come to be so of ship, anchor and cable.
+struct Accident {
+    std::string what;                ///< code of the event; with `when`, what is told of it
+    std::optional<Condition> when{}; ///< ends it once it holds; nothing: the event does
+};
+
 /// How the lesson goes with scripted hands.
 struct LessonRun {
     std::vector<std::string> scripts; ///< one for each windlass that is worked, paths from the config folder
@@ -234,8 +240,8 @@ struct Lesson {
     std::optional<Condition> good;
     double time_limit = 0; ///< s of the lesson; 0: none
     double patience = 0;   ///< s without a word after which the bridge asks; 0: it waits, and asks nothing
-    std::vector<WatchedEvent> abort; ///< events that end it, as "not yet"
-    int held = 0;                    ///< conditions that must hold for a while
+    std::vector<Accident> abort;
+    int held = 0; ///< conditions that must hold for a while
     LessonRun model_run;
     std::vector<LessonRun> errors;
     std::vector<LessonRun> also_right; ///< other hands who do it right, in another style

@@ -550,8 +550,17 @@ private:
                 if (place_of(words::kEventNames, code) < 0)
                     fault("/lesson/end/abort",
                           unknown(code, {words::kEventNames.begin(), words::kEventNames.end()}));
-                lesson_.abort.push_back({code, lesson_.side});
+                lesson_.abort.push_back({code});
             }
+        if (!end.contains("accidents")) return;
+        for (std::size_t k = 0; k < end.at("accidents").size(); ++k) {
+            const Json& one = end.at("accidents")[k];
+            const std::string at = "/lesson/end/accidents/" + std::to_string(k) + "/when";
+            if (one.at("when").empty())
+                fault(at, "names nothing that must hold, so that the lesson would end at once; name what is "
+                          "an accident");
+            lesson_.abort.push_back({one.at("say"), condition(one.at("when"), at, lesson_.side)});
+        }
     }
 
     void read_runs() {

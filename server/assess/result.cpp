@@ -227,7 +227,7 @@ CriterionResult criterion_result(const Lesson& lesson, const State& state, std::
 std::string abort_text(const Lesson& lesson, const State& state, Ending ending) {
     switch (ending) {
     case Ending::abort:
-        return lesson.abort[static_cast<std::size_t>(state.aborted_by)].code;
+        return lesson.abort[static_cast<std::size_t>(state.aborted_by)].what;
     case Ending::time:
         return state.gave_up ? gave_up_words(lesson, state) : "time is up";
     case Ending::instructor:

@@ -421,4 +421,22 @@ TEST(Assessment, LossOfTheCableEndsItAsNotYet) {
     EXPECT_EQ(course.now().abort, "cable.lost");
 }
 
+// Whatever the bridge waits for meanwhile: who runs onto the danger hears that, and no more of the cable.
+TEST(Assessment, AccidentThatNoEventTellsEndsItAsNotYetInItsOwnWords) {
+    Course course(lesson(R"({"id": "a", "kind": "final", "that": {"stopper": "on"}})",
+                         R"(, "end": {"good": {"event": "anchor.brought_up"}, "abort": ["cable.lost"],
+                "accidents": [{"when": {"ship_y": 315}, "say": "she has run onto the danger"}]})"));
+    course.windlass().stopper_closed = true;
+    course.seen().ship.position.y() = 314.9;
+    course.run(1);
+    EXPECT_FALSE(course.now().finished);
+    course.seen().ship.position.y() = 315;
+    course.event("anchor.brought_up");
+    course.run(0.1);
+    EXPECT_TRUE(course.now().finished);
+    EXPECT_EQ(course.now().ending, Ending::abort);
+    EXPECT_EQ(course.now().outcome, Outcome::not_yet);
+    EXPECT_EQ(course.now().abort, "she has run onto the danger");
+}
+
 } // namespace windlass::assess
