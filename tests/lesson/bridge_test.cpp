@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <fstream>
 
 namespace windlass::assess {
 
@@ -731,6 +732,70 @@ TEST(Bridge, ThatIsMannedSaysNothingByItself) {
     bridge.on(600);
     EXPECT_TRUE(bridge.said.empty());
     EXPECT_FALSE(bridge.now().finished);
+}
+
+// With one pump of two she walks on at half her speed: that is a defect, and no loss of power.
+TEST(Bridge, OfL14HearsOfADefectAtHalfPowerAndOfNoPowerOnceThereIsNone) {
+    std::ifstream file(WINDLASS_CONFIG_DIR "/exercises/L14_hydraulic_loss.json");
+    const std::string text = nlohmann::json::parse(file).at("lesson").dump();
+    struct Outcomes {
+        std::int64_t secures = 0;
+        std::size_t reports = 0;
+        CriterionResult defect, no_power;
+    };
+    /// What he says at half speed, whether he stops then, and what he says once the power is gone.
+    const auto walked = [&](ReportCode at_half, bool stops, ReportCode at_last) {
+        Bridge bridge(text);
+        const auto walks = [&](double from, double speed) {
+            bridge.chain().cable_out = from;
+            bridge.windlass().cable_speed = speed;
+        };
+        bridge.on(10);
+        walks(79, 0.25);
+        bridge.on(10);
+        walks(81, 0.12);
+        bridge.event("fault.active"); // one pump of two
+        bridge.on(20);
+        if (at_half != ReportCode::text) bridge.report(at_half);
+        bridge.on(30);
+        if (stops) {
+            walks(85, 0);
+        } else {
+            walks(101, 0);
+            bridge.event("fault.active"); // the hose
+            bridge.on(5);
+            if (at_last != ReportCode::text) bridge.report(at_last);
+        }
+        bridge.on(30);
+        bridge.end();
+        const Result result = bridge.now();
+        Outcomes come{.secures = std::ranges::count(bridge.said, BridgeOrderCode::secure,
+                                                    &exercise::BridgeOrderGiven::code),
+                      .reports = result.reports.size(),
+                      .defect = {},
+                      .no_power = {}};
+        for (const CriterionResult& one : result.criteria) {
+            if (one.code == "defect") come.defect = one;
+            if (one.code == "report") come.no_power = one;
+        }
+        return come;
+    };
+    const Outcomes both = walked(ReportCode::defect, false, ReportCode::no_power);
+    EXPECT_EQ(both.defect.milli, 1000) << both.defect.reason;
+    EXPECT_EQ(both.no_power.milli, 1000) << both.no_power.reason;
+    EXPECT_EQ(both.reports, 2U) << "and he reads of both";
+    EXPECT_EQ(both.secures, 1);
+
+    const Outcomes stopped = walked(ReportCode::defect, true, ReportCode::text);
+    EXPECT_EQ(stopped.defect.milli, 1000);
+    EXPECT_EQ(stopped.no_power.state, CriterionState::not_in_play) << "there always was some";
+    EXPECT_EQ(stopped.secures, 1) << "the bridge answers who tells of a defect, and stands";
+
+    const Outcomes untrue = walked(ReportCode::no_power, false, ReportCode::text);
+    EXPECT_EQ(untrue.no_power.milli, 0) << "half of it was left: " << untrue.no_power.reason;
+    EXPECT_EQ(untrue.defect.milli, 0);
+    EXPECT_EQ(walked(ReportCode::text, false, ReportCode::text).secures, 0)
+        << "who says nothing hears nothing";
 }
 
 } // namespace windlass::assess
