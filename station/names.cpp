@@ -172,7 +172,7 @@ std::string words(BridgeOrderCode code, int side, double value) {
 std::string words(const BridgeOrder& order) {
     const std::string text = order.text().to_string();
     if (order.code() == BRIDGE_ORDER_TEXT) return text;
-    return words(order.code(), order.side(), order.value()) + (text.empty() ? "" : ", " + text);
+    return words::order_with(words(order.code(), order.side(), order.value()), text);
 }
 
 std::string words(const Report& report) {

@@ -84,6 +84,18 @@ std::string order_text(std::size_t code, int side, double value) {
     });
 }
 
+std::string order_with(std::string order, std::string_view added) {
+    if (!order.ends_with('?') || added.empty()) {
+        join(order, std::string(added));
+        return order;
+    }
+    order += ' ';
+    order += added;
+    char& first = order[order.size() - added.size()];
+    if (first >= 'a' && first <= 'z') first = static_cast<char>(first - 'a' + 'A');
+    return order;
+}
+
 std::string report_text(const ReportSaid& report) {
     if (report.code >= kReportCode.size()) return std::string(report.text);
     const Report& row = kReportCode[report.code];

@@ -105,6 +105,10 @@ std::string figure_text(double value, Unit unit);
 /// starboard, -1 both. Empty for an order in own words, and for a code that words.json does not have.
 std::string order_text(std::size_t code, int side, double value);
 
+/// An order with what the bridge has added to it, which after a question is a sentence of its own: "how much
+/// port cable is out? This is my last call".
+std::string order_with(std::string order, std::string_view added);
+
 /// What a report says; enumerators by their place.
 struct ReportSaid {
     std::size_t code = 0;

@@ -75,7 +75,8 @@ std::string tackle_words(ReportCode code, const Truth& truth) {
 template <class Add>
 void add_shackles(words::MarkAt at, double cable_out, const Add& add) {
     const auto from = [&](double inboard, const char* where) {
-        add(shackles_figure((cable_out + inboard) / words::units::shackle) + ' ' + where + " were so");
+        const double shackles = (cable_out + inboard) / words::units::shackle;
+        add(shackles < 0 ? "the anchor was home" : shackles_figure(shackles) + ' ' + where + " were so");
     };
     switch (at) {
     case words::MarkAt::deck:
@@ -83,7 +84,8 @@ void add_shackles(words::MarkAt at, double cable_out, const Add& add) {
     case words::MarkAt::pipe:
         return from(words::limits::mark_in_pipe, "in the pipe");
     case words::MarkAt::water:
-        return add(shackles_text(cable_out) + " from the lip were so");
+        return add(cable_out < 0 ? "the anchor was home"
+                                 : shackles_text(cable_out) + " from the lip were so");
     case words::MarkAt::none:
         return;
     }

@@ -287,10 +287,12 @@ std::string order_faults(const Lesson& lesson, const State& state, std::size_t k
                            (late ? ", wanted" + within : ""));
     } else if (over) {
         join(text, ", ", "not carried out");
-        const std::array sides{" by port", " by starboard"};
+        const std::array sides{"port", "starboard"};
+        std::string by; // whom, where each of two was to do it
         for (std::size_t one = 0; order.done.size() > 1 && one < order.done.size(); ++one)
             if (course.each_done.at(one) < 0)
-                text += sides.at(static_cast<std::size_t>(order.done[one].side));
+                join(by, " or ", sides.at(static_cast<std::size_t>(order.done[one].side)));
+        if (!by.empty()) text += " by " + by;
         text += not_done_until(lesson, state, k, rate);
     }
     return text;
@@ -549,6 +551,9 @@ std::string truth_words(const Lesson& lesson, const Criterion& criterion, const 
                        .said) +
                " was on it";
     default:
+        if (report.truth < 0) // the anchor shackle itself has not come to where they are counted
+            return where_counted(criterion, report) == " in the water" ? "the anchor was above the water"
+                                                                       : "the anchor was home";
         return shackles_figure(report.truth) + where_counted(criterion, report) + " were so";
     }
 }

@@ -96,6 +96,25 @@ TEST(Assessment, OrderToBothIsCarriedOutByBoth) {
     EXPECT_EQ(course.mark().lost_tick, 111U) << "when it was given";
 }
 
+TEST(Assessment, OrderToBothThatNeitherCarriedOutNamesBoth) {
+    Course course(lesson(R"({"id": "o", "kind": "order", "orders": ["in"]})",
+                         R"(, "orders": [{"id": "in", "code": "gear_in", "side": "both"}])"));
+    course.seen().tackle.emplace_back();
+    course.seen().tackle[1].side = exercise::Side::starboard;
+    for (exercise::TackleView& tackle : course.seen().tackle)
+        tackle.windlass.clutch = exercise::ClutchState::out;
+    course.run(1);
+    ASSERT_EQ(course.due.size(), 1u);
+    course.seen().bridge_orders.push_back({.number = 1,
+                                           .time = course.seen().time,
+                                           .given = std::get<exercise::BridgeOrderGiven>(course.due.back()),
+                                           .state = exercise::BridgeOrderState::repeated});
+    course.run(5);
+    course.end();
+    EXPECT_NE(course.mark().reason.find("not carried out by port or starboard"), std::string::npos)
+        << course.mark().reason;
+}
+
 // Nobody holds on at six who has seven out: he can walk one back, or call the order unsafe.
 TEST(Assessment, OrderToHoldOnIsNotCarriedOutWithMoreOutThanItSays) {
     for (const double shackles : {5.5, 5.9, 6.2, 6.5, 7.0}) {

@@ -353,6 +353,16 @@ TEST(Reports, OfAFigureTellTheFigureThatWasSo) {
         << "by the counter it is more";
 }
 
+TEST(Reports, OfShacklesWithTheAnchorHomeTellNoFigureBelowNone) {
+    Course course(reporting("shackles_in_pipe"));
+    course.chain().cable_out = -4;
+    course.run(1);
+    course.report(ReportCode::shackles_in_pipe, 1);
+    course.run(1);
+    EXPECT_EQ(course.mark().reason,
+              "0:01 \"1 shackle in the pipe\" reported, the anchor was home: all of its points lost");
+}
+
 TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
     Course cried(reporting("dragging"));
     cried.run(3);

@@ -32,6 +32,14 @@ TEST(Sentences, AnOrderNamesItsSideAndItsFigure) {
     EXPECT_EQ(order_text(99, 0, 0), "");
 }
 
+TEST(Sentences, WhatIsAddedToAQuestionIsASentenceOfItsOwn) {
+    EXPECT_EQ(order_with("let go port anchor", "I say again"), "let go port anchor, I say again");
+    EXPECT_EQ(order_with("how much cable is out?", "this is my last call"),
+              "how much cable is out? This is my last call");
+    EXPECT_EQ(order_with("how much cable is out?", ""), "how much cable is out?");
+    EXPECT_EQ(order_with("", "stop engine"), "stop engine");
+}
+
 TEST(Sentences, AReportSaysWhatWasGivenAndNothingElse) {
     ReportSaid said = report(ReportCode::shackles_on_deck);
     said.value = 3;

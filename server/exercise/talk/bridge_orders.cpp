@@ -12,10 +12,8 @@ namespace {
 std::string called(const BridgeOrderView& order, const char* what) {
     const BridgeOrderGiven& given = order.given;
     std::string line = "order " + std::to_string(order.number) + ' ' + what;
-    const std::string words = order_words(given.code, given.side, given.value);
-    if (!words.empty()) line += ": " + words;
-    if (!given.text.empty()) line += (words.empty() ? ": " : ", ") + given.text;
-    return line;
+    const std::string words = words::order_with(order_words(given.code, given.side, given.value), given.text);
+    return words.empty() ? line : line + ": " + words;
 }
 
 bool waits(const BridgeOrderView& order) {

@@ -2,7 +2,7 @@
 // Communication Phrases (A.918(22), on-board phrases for anchoring) where they have the phrase, with figures in words.
 
 import type { BridgeOrder, Report } from "../wire/generated";
-import { type FigureText, capital, orderText, reportText } from "./words";
+import { type FigureText, capital, orderText, orderWith, reportText } from "./words";
 
 const kNumbers = "zero one two three four five six seven eight nine ten eleven twelve".split(" ");
 
@@ -20,7 +20,7 @@ const figureAloud: FigureText = (value, { one, many }) =>
 
 /** "Let go port anchor"; "Hold on port cable at six shackles in the pipe". Words that the bridge added follow. */
 export function orderAloud(order: Pick<BridgeOrder, "code" | "side" | "value" | "text">): string {
-  return capital([orderText(order.code, order.side, order.value, figureAloud), order.text].filter(Boolean).join(", "));
+  return capital(orderWith(orderText(order.code, order.side, order.value, figureAloud), order.text));
 }
 
 /** "Three shackles in the water"; "Port cable is leading eleven o'clock, short stay". */

@@ -2,7 +2,7 @@
 
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState } from "../wire/generated";
 import type { Unit } from "./units";
-import { orderRows, orderText, saidOf, unitOf } from "./words";
+import { orderRows, orderText, orderWith, saidOf, unitOf } from "./words";
 import { t } from "./language";
 
 /** The server's words for an order that came by a hand signal. */
@@ -18,7 +18,7 @@ export const orderMayBeBare = (code: BridgeOrderCode): boolean =>
 /** An order as it was written: "hold on port cable at 6 shackles in the pipe". */
 export function written(order: Pick<BridgeOrder, "code" | "side" | "value" | "text">): string {
   if (order.code === BridgeOrderCode.BRIDGE_ORDER_TEXT) return order.text;
-  return orderText(order.code, order.side, order.value) + (order.text ? `, ${order.text}` : "");
+  return orderWith(orderText(order.code, order.side, order.value), order.text);
 }
 
 /** The same order, also where the bridge put "I say again" before it; one in own words is told by these. */

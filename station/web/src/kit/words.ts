@@ -133,6 +133,13 @@ export function orderText(code: BridgeOrderCode, side: number, value: number, fi
   );
 }
 
+/**
+ * An order with what the bridge has added to it, which after a question is a sentence of its own: "how much port cable
+ * is out? This is my last call".
+ */
+export const orderWith = (order: string, added: string): string =>
+  added && order.endsWith("?") ? `${order} ${capital(added)}` : joined(order, added);
+
 /** A report of which no more is said than that. */
 export const bareReport = (code: ReportCode, side: number): Omit<Report, "origin"> => ({
   code,

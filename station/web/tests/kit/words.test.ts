@@ -8,7 +8,7 @@ import { test } from "node:test";
 import words from "../../../../words/words.json";
 import { faultName, faults, machines } from "../../src/desk/fault_words";
 import { isQuestion } from "../../src/kit/orders";
-import { bareReport, orderText, reportText, saidOf, stateSaid, withSide } from "../../src/kit/words";
+import { bareReport, orderText, orderWith, reportText, saidOf, stateSaid, withSide } from "../../src/kit/words";
 import {
   AlertPriority,
   AnchorPhase,
@@ -39,6 +39,15 @@ test("an order names its side, and its figure in its unit", () => {
   assert.equal(orderText(C.BRIDGE_ORDER_HOLD_ON, 1, 0), "hold on starboard cable");
   assert.equal(orderText(C.BRIDGE_ORDER_HOW_MUCH, 0, 0), "how much port cable is out?");
   assert.equal(orderText(C.BRIDGE_ORDER_HOW_MUCH, -1, 0), "how much cable is out?");
+});
+
+test("what is added to a question is a sentence of its own", () => {
+  assert.equal(orderWith("let go port anchor", "I say again"), "let go port anchor, I say again");
+  assert.equal(
+    orderWith("how much cable is out?", "this is my last call"),
+    "how much cable is out? This is my last call",
+  );
+  assert.equal(orderWith("how much cable is out?", ""), "how much cable is out?");
 });
 
 test("a report says all that was given, and nothing else", () => {
