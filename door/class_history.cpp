@@ -80,6 +80,7 @@ ClassHistory::AgainFrom ClassHistory::again_from(const fs::path& recording) cons
                          {"position", attempt.position_of(again->from)},
                          {"time", again->from},
                          {"before", debrief::name_of(again->before)},
+                         {"seconds", again->seconds},
                          {"lost", again->lost},
                          {"lost_at", again->lost_at},
                          {"standing", again->standing}}};

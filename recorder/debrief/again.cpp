@@ -141,8 +141,10 @@ std::optional<Again> again_of(const Attempt& attempt) {
     const auto lost = went_wrong(attempt, judgement);
     if (!lost || lost->time <= attempt.began) return std::nullopt;
     const Before before = before_what(attempt, *lost);
-    Again again{.from = std::max(attempt.began, before.time - kAgainBefore),
+    const double from = std::max(attempt.began, before.time - kAgainBefore);
+    Again again{.from = from,
                 .before = before.what,
+                .seconds = std::max(0.0, before.time - from),
                 .lost = name_of(*lost->criterion),
                 .lost_at = lost->time};
     for (const Mark& mark : judgement.deductions())

@@ -28,6 +28,7 @@ inline const char* name_of(AgainBefore what) {
 struct Again {
     double from = 0; ///< s of exercise: ten seconds before that, or where the attempt began
     AgainBefore before = AgainBefore::loss;
+    double seconds = 0; ///< from then until that: fewer than ten where the attempt began sooner
     std::string lost;   ///< what the criterion is called
     double lost_at = 0; ///< s of exercise
     /// What else had gone wrong by `from`, by when: it goes on as it stood then, marks and all.

@@ -62,11 +62,13 @@ TEST_F(LostAttempt, BeginsBeforeTheHandThatLostIt) {
     const auto again = again_of(attempt_);
     EXPECT_EQ(again->lost, "pay out");
     EXPECT_DOUBLE_EQ(again->lost_at, 130);
+    EXPECT_DOUBLE_EQ(again->seconds, 10);
     attempt_.lever_moves.clear();
     moves({2});
     EXPECT_EQ(begins(), "loss 120") << "that was long before";
     attempt_.assessment->criteria()[0].lost_tick(55);
     EXPECT_EQ(begins(), "levers 0") << "and not before the attempt began";
+    EXPECT_DOUBLE_EQ(again_of(attempt_)->seconds, 2);
 }
 
 TEST_F(LostAttempt, OfAnOrderThatWasNotCarriedOutBeginsBeforeItWasGiven) {

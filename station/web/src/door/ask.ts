@@ -86,8 +86,10 @@ export interface From {
   position: number;
   /** s of exercise. */
   time: number;
-  /** What comes ten seconds later: a hand that took the levers, an order, the time that it had, the loss. */
+  /** What comes next: a hand that took the levers, an order, the time that it had, the loss. */
   before: "levers" | "order" | "due" | "loss";
+  /** After so many: ten, or fewer where the attempt began sooner. */
+  seconds: number;
   /** What was lost by that. */
   lost: string;
   /** s of exercise. */

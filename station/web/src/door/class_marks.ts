@@ -3,7 +3,7 @@
 import { capital, endingSaid, outcomeSaid } from "../kit/words";
 import { h, setShown, setText } from "../kit/dom";
 import { pointsFigure, pointsSaid } from "../kit/points_said";
-import { clock } from "../kit/units";
+import { clock, figure } from "../kit/units";
 import {
   Denied,
   type Again,
@@ -44,25 +44,25 @@ const kLook = 2000; // ms
  * From where a class goes on, and why: '10 s before "fall" went wrong, at 0:33'. Behind it what stands then:
  * "already lost by then: orders".
  */
-export function whyFrom({ before, lost, lost_at, standing }: From): string {
-  const why = whyBefore(before, { lost, at: clock(lost_at) });
+export function whyFrom({ before, seconds, lost, lost_at, standing }: From): string {
+  const why = whyBefore(before, { seconds: figure(seconds), lost, at: clock(lost_at) });
   if (standing.length === 0) return why;
   return `${why}; ${t("already lost by then: {standing}", { standing: standing.join(", ") })}`;
 }
-function whyBefore(before: From["before"], its: { lost: string; at: string }): string {
+function whyBefore(before: From["before"], its: { seconds: string; lost: string; at: string }): string {
   switch (before) {
     case "levers":
-      return t('10 s before the levers were moved and "{lost}" went wrong, at {at}', its);
+      return t('{seconds} s before the levers were moved and "{lost}" went wrong, at {at}', its);
     case "order":
-      return t('10 s before the order after which "{lost}" went wrong, at {at}', its);
+      return t('{seconds} s before the order after which "{lost}" went wrong, at {at}', its);
     case "due":
-      return t('10 s before it was time for "{lost}", which went wrong at {at}', its);
+      return t('{seconds} s before it was time for "{lost}", which went wrong at {at}', its);
     case "loss":
-      return t('10 s before "{lost}" went wrong, at {at}', its);
+      return t('{seconds} s before "{lost}" went wrong, at {at}', its);
   }
 }
 
-/** Begins a class of him and whoever sat beside him, each where he sat, ten seconds before what lost it. */
+/** Begins a class of him and whoever sat beside him, each where he sat, some seconds before what lost it. */
 const againFrom = (one: Next, from: From, it: TrainingClass, open: Open): Node[] => [
   h(
     "button",

@@ -40,8 +40,8 @@ test("who was relieved goes on alone, where he was", () => {
 });
 
 test("a class that goes on says before what it begins, and what was lost by that", () => {
-  const why = (before: From["before"], standing: string[] = []): string =>
-    whyFrom({ recording: "mon-1-17", position: 14, time: 10, before, lost: "fall", lost_at: 33.4, standing });
+  const from = { recording: "mon-1-17", position: 14, time: 10, seconds: 10, lost: "fall", lost_at: 33.4 };
+  const why = (before: From["before"], standing: string[] = []): string => whyFrom({ ...from, before, standing });
   assert.equal(why("levers"), '10 s before the levers were moved and "fall" went wrong, at 0:33');
   assert.equal(why("order"), '10 s before the order after which "fall" went wrong, at 0:33');
   assert.equal(why("due"), '10 s before it was time for "fall", which went wrong at 0:33');
@@ -49,6 +49,11 @@ test("a class that goes on says before what it begins, and what was lost by that
   assert.equal(
     why("loss", ["repeat", "pay out"]),
     '10 s before "fall" went wrong, at 0:33; already lost by then: repeat, pay out',
+  );
+  assert.equal(
+    whyFrom({ ...from, time: 0, seconds: 4.9, before: "order", standing: [] }),
+    '5 s before the order after which "fall" went wrong, at 0:33',
+    "the attempt began no sooner",
   );
 });
 
