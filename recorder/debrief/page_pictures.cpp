@@ -70,16 +70,23 @@ std::string picture(const PageContext& page, const PicturedMoments& moments, std
 std::string scene_words(const SceneAt& scene, int side) {
     const ChainState& chain = *scene.chains[static_cast<std::size_t>(side)];
     const auto& anchor = scene.anchors[static_cast<std::size_t>(side)];
-    std::string text = fmt::format("{}: {} ({}) out", side == SIDE_PORT ? "Port" : "Starboard",
-                                   station::cable(chain.cable_out()), shackles_text(chain.cable_out()));
-    if (!chain.tension().empty())
-        text += fmt::format(", {} at the lip", station::tonnes(chain.tension().front()));
-    text +=
-        chain.stay() == STAY_UP_AND_DOWN
-            ? ", up and down"
-            : fmt::format(", leads {}, {}", station::lead(chain.lead_clock()), station::words(chain.stay()));
-    if (chain.on_bottom() > 0) text += fmt::format(", {} on the bottom", station::cable(chain.on_bottom()));
-    if (anchor) text += fmt::format("; anchor {}", station::words(anchor->phase()));
+    std::string text = side == SIDE_PORT ? "Port: " : "Starboard: ";
+    const bool home = anchor && anchor->phase() == ANCHOR_HOUSED;
+    if (home || (anchor && anchor->phase() == ANCHOR_ACOCKBILL)) { // no cable is out that leads anywhere
+        text += "anchor " + (home ? "home" : station::words(anchor->phase()));
+    } else {
+        text +=
+            fmt::format("{} ({}) out", station::cable(chain.cable_out()), shackles_text(chain.cable_out()));
+        if (!chain.tension().empty())
+            text += fmt::format(", {} at the lip", station::tonnes(chain.tension().front()));
+        text += chain.stay() == STAY_UP_AND_DOWN
+                    ? ", up and down"
+                    : fmt::format(", leads {}, {}", station::lead(chain.lead_clock()),
+                                  station::words(chain.stay()));
+        if (chain.on_bottom() > 0)
+            text += fmt::format(", {} on the bottom", station::cable(chain.on_bottom()));
+        if (anchor) text += fmt::format("; anchor {}", station::words(anchor->phase()));
+    }
     return text + fmt::format(". Ship {}.", station::knots(scene.ship->speed_over_ground()));
 }
 

@@ -9,6 +9,7 @@
 #include "recorder/debrief/lesson_text.hpp"
 #include "recorder/debrief/moments.hpp"
 #include "recorder/debrief/page.hpp"
+#include "recorder/debrief/page_parts.hpp"
 #include "recorder/debrief/plot.hpp"
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/debrief/records.hpp"
@@ -347,6 +348,18 @@ TEST(DebriefTest, BothScenesOfAnAnswerStandSideBySideWhereTheyAreNotTheSame) {
                                        "<figure><p>As it would have been</p>.*: 55 m "));
     EXPECT_THAT(page(88, 88), HasSubstr("Ship, cable and anchor stand the same in both at 1:01"));
     EXPECT_THAT(page(88, 88), Not(HasSubstr("class=\"pair\"")));
+}
+
+TEST(DebriefTest, SceneWithTheAnchorHomeTellsNoCableOutAndNoLead) {
+    SceneAt scene{.time = 61, .ship = ShipState(), .chains = {}, .anchors = {}};
+    scene.chains[0].emplace().cable_out(-3);
+    scene.chains[0]->lead_clock(10);
+    scene.chains[0]->stay(STAY_MEDIUM);
+    scene.anchors[0].emplace().phase(ANCHOR_HOUSED);
+    EXPECT_THAT(scene_words(scene, SIDE_PORT), testing::StartsWith("Port: anchor home. Ship "));
+    scene.chains[0]->cable_out(80);
+    scene.anchors[0]->phase(ANCHOR_HOLDING);
+    EXPECT_THAT(scene_words(scene, SIDE_PORT), HasSubstr("leads 10 o'clock, medium stay"));
 }
 
 TEST(DebriefTest, BothCoursesOfAnAnswerStandUnderTheDeductionsWithTheirMomentsAndLimits) {
