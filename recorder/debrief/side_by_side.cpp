@@ -83,6 +83,13 @@ std::string heading(const Figure& figure) {
            (figure.unit == "degC" ? "\u00b0C" : seat_unit(figure.unit, "cable_speed").name);
 }
 
+/// Why an exercise has no figures of its tackle, and no curve; empty: it has.
+std::string why_no_figures(const Class& of, std::size_t i) {
+    if (of.worked[i] != nullptr) return "";
+    return std::ranges::any_of(of.at(i).sides, &Side::worked) ? "; nothing of its cable was recorded"
+                                                              : "; no lever was moved, and no cable";
+}
+
 std::string results_part(const Class& of) {
     std::vector<std::string> columns{"no.", "who", "outcome"};
     std::vector<std::map<std::string, Figure>> figures(of.size());
@@ -109,7 +116,7 @@ std::string results_part(const Class& of) {
             text_cell((!marks              ? "not assessed"
                        : marks->practice() ? practice_words(of.at(i))
                                            : outcome_words(marks->outcome().to_string())) +
-                      since)};
+                      why_no_figures(of, i) + since)};
         for (const std::string& id : order) {
             const auto found = figures[i].find(id);
             row.push_back(figure_cell(found == figures[i].end() ? "" : told(found->second)));
@@ -370,6 +377,9 @@ std::string plot_part(const Class& of) {
         if (!line.samples.empty())
             plot.sentence += fmt::format("{}{}: {:.1f} m at the end.", plot.sentence.empty() ? "" : " ",
                                          line.name, line.samples.back().value);
+    for (std::size_t i = 0; i < of.size(); ++i)
+        if (const std::string why = why_no_figures(of, i); !why.empty())
+            plot.sentence += fmt::format(" no. {}: {}.", i + 1, why.substr(2));
     return section(
         "over-time", "Over one time",
         fmt::format("<figure>\n<div class=\"wide\">{}</div>\n<figcaption>{} Below it a row to each "

@@ -160,6 +160,20 @@ TEST_F(SideBySide, WhoWasNotRecordedIsSaid) {
     EXPECT_THAT(row(page, "reported: on the bottom"), ElementsAre("+0:17"));
 }
 
+TEST_F(SideBySide, WhoNeverMovedALeverHasNoFiguresAndItIsSaidWhy) {
+    const Attempt first = attempt_of();
+    Attempt idle = attempt_of();
+    for (Side& side : idle.sides)
+        side.worked = false;
+    const std::string page = page_of({&first, &idle});
+    const std::string why = "; no lever was moved, and no cable";
+    const auto at = page.find(why);
+    ASSERT_NE(at, page.npos);
+    EXPECT_GT(at, page.find("Anna &amp; 2</a>")) << "in his own row";
+    EXPECT_EQ(page.find(why, at + 1), page.npos) << "and in no other";
+    EXPECT_THAT(page, HasSubstr("no. 2: no lever was moved, and no cable."));
+}
+
 TEST_F(SideBySide, EachLeadsToItsDebriefing) {
     const Attempt first = attempt_of();
     EXPECT_THAT(page_of({&first}),
