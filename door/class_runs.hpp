@@ -15,6 +15,7 @@ namespace windlass::door {
 struct Asking {
     double since = 0;    ///< when it was told first that it has
     double gives_up = 0; ///< and ends the lesson, unless it hears something
+    bool misled = false; ///< it was told what is not so since
 };
 
 /// What is asked is asked again until it shows: a server that was started late has a class all the same. One

@@ -595,7 +595,10 @@ json DoorHost::class_told(const TrainingClass& told) {
                   {"outcome", result.outcome},
                   {"trouble", runs_.trouble(exercise)}};
         const auto asking = runs_.asking(exercise);
-        each["asking"] = asking ? json{{"since", asking->since}, {"gives_up", asking->gives_up}} : json();
+        each["asking"] =
+            asking
+                ? json{{"since", asking->since}, {"gives_up", asking->gives_up}, {"misled", asking->misled}}
+                : json();
         each["asked"] = runs_.holds_for_a_question(exercise);
         const auto heard = runs_.told(exercise);
         each["heard"] = heard.has_value();

@@ -201,6 +201,7 @@ TEST_F(Class, SaysWhenTheSilenceOfASeatEndsItsLesson) {
         << "said once and three times again, 30 s apart, to who has said nothing yet";
     ASSERT_TRUE(eventually([&] { return told()["time"] > 64.0; })) << told();
     EXPECT_NEAR(told()["asking"]["since"].get<double>(), 33, 1) << "and not since the second time";
+    EXPECT_FALSE(told()["asking"]["misled"].get<bool>()) << "he has said nothing";
 }
 
 // A start passes a question over, and at the desk it is meant to.

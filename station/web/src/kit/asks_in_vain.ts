@@ -12,13 +12,24 @@ export interface Asking {
   since: number;
   /** When it gives up, unless it hears something. */
   gives_up: number;
+  /** Whether it was told what is not so since. */
+  misled: boolean;
 }
 
+const kMisled = "the bridge was told what is not so"; // as the server's text of the event begins
+
 /** As the exercise's log has it; undefined: it waits for no answer. log: of the branch that runs, by time. */
-export function askingOf(log: readonly { code: string; time: number; value: number }[]): Asking | undefined {
+export function askingOf(
+  log: readonly { code: string; time: number; value: number; text: string }[],
+): Asking | undefined {
   let asking: Asking | undefined;
-  for (const { code, time, value } of log) {
-    if (code === "assessment.unanswered") asking = { since: asking?.since ?? time, gives_up: value };
+  for (const { code, time, value, text } of log) {
+    if (code === "assessment.unanswered")
+      asking = {
+        since: asking?.since ?? time,
+        gives_up: value,
+        misled: (asking?.misled ?? false) || text.startsWith(kMisled),
+      };
     else if (code === "assessment.answered" || code === "lesson.over") asking = undefined;
   }
   return asking;
@@ -26,14 +37,28 @@ export function askingOf(log: readonly { code: string; time: number; value: numb
 
 /**
  * "the bridge has been asking for 0:10, and has no answer: at 1:03 it gives up, and the lesson ends". It counts from
- * its asking and not from the order, which had its own time to be repeated and carried out in. time: s, of now.
+ * its asking and not from the order, which had its own time to be repeated and carried out in. Where answers were given
+ * that are not so, it has "no true answer". time: s, of now.
  */
-export function asksInVain({ since, gives_up }: Asking, time: number): string {
+export function asksInVain({ since, gives_up, misled }: Asking, time: number): string {
   const lasts = clock(kStep * Math.floor(Math.max(0, time - since) / kStep));
+  const at = clock(gives_up);
+  if (misled)
+    return time < gives_up
+      ? t(
+          "the bridge has been asking for {lasts}, and has no true answer: at {time} it gives up, and the lesson ends",
+          {
+            lasts,
+            time: at,
+          },
+        )
+      : t("the bridge has been asking for {lasts}, and has no true answer: it gives up, and the lesson ends", {
+          lasts,
+        });
   return time < gives_up
     ? t("the bridge has been asking for {lasts}, and has no answer: at {time} it gives up, and the lesson ends", {
         lasts,
-        time: clock(gives_up),
+        time: at,
       })
     : t("the bridge has been asking for {lasts}, and has no answer: it gives up, and the lesson ends", { lasts });
 }
