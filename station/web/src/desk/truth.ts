@@ -163,6 +163,12 @@ export const truthRows: readonly Row[] = [
     unit: "",
     is: (l, s) => (chain(l, s) ? saidOf("Stay", chain(l, s)!.stay) : "-"),
   },
+  // By which alone the stay goes: a cable may be at short stay with much of it on the bottom.
+  {
+    label: t("below the horizontal, at the lip"),
+    unit: "\u00b0",
+    is: (l, s) => figure(degrees(chain(l, s)?.top_angle ?? NaN)),
+  },
   { label: t("on the bottom"), unit: "m", is: (l, s) => figure(chain(l, s)?.on_bottom ?? NaN) },
   {
     label: t("turns"),
