@@ -9,6 +9,10 @@ import { t } from "../kit/language";
 const kReleaseTime = 1500; // ms
 const kHardOn = 0.99; // as the model takes it
 
+/** Whether a motor that was cut off waits for its lever to go to zero. */
+export const waitsForLever = (view: Pick<ForecastleView, "tripped" | "emergency_stop" | "speed_lever">): boolean =>
+  view.tripped && !view.emergency_stop && view.speed_lever !== 0;
+
 export class EmergencyStop {
   readonly element: HTMLElement;
   readonly guard: HoldGuard;
@@ -41,7 +45,7 @@ export class EmergencyStop {
     setAttribute(this.button, "aria-checked", `${this.latched}`);
     setText(this.label, this.latched ? t("hold to release") : t("STOP"));
     const asks = [
-      view.tripped && !view.emergency_stop ? t("lever to zero") : "",
+      waitsForLever(view) ? t("lever to zero") : "",
       this.wheelWaits && view.brake_position > levers.brake + 0.02 ? t("brake hard on") : "",
     ].filter(Boolean);
     setText(

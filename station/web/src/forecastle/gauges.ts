@@ -209,10 +209,7 @@ export class Gauges {
         this.aid,
         t("aid of this exercise: brake lining {degrees} °C", { degrees: figure(celsius(view.lining_temperature)) }),
       );
-    this.light("power", view.power, false);
-    this.light("ready", view.power && !view.tripped && !view.emergency_stop, false);
-    this.light("trip", view.tripped, true);
-    this.light("e-stop", view.emergency_stop, true);
+    for (const lamp of kLamps) this.light(lamp, lampsLit(view)[lamp], lamp === "trip" || lamp === "e-stop");
   }
 
   /** In other units than before. */
@@ -255,6 +252,18 @@ export class Gauges {
     );
   }
 }
+
+/** Which lamps of the panel are lit: none without supply, though the drive is cut off then. */
+export const lampsLit = ({
+  power,
+  tripped,
+  emergency_stop,
+}: Pick<ForecastleView, "power" | "tripped" | "emergency_stop">): Record<Lamp, boolean> => ({
+  power,
+  ready: power && !tripped && !emergency_stop,
+  trip: power && tripped,
+  "e-stop": power && emergency_stop,
+});
 
 const kPressureEnd = 200; // bar: the face of the gauge; relief valves of low-pressure hydraulics open at 130
 const kUnknownEnd = 500; // A, until the page is told of its windlass

@@ -5,7 +5,7 @@ import { readFile, readdir } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
 import schema from "../../../../config/schema/windlass.schema.json";
-import { countedFrom, motorFace } from "../../src/forecastle/gauges";
+import { countedFrom, lampsLit, motorFace } from "../../src/forecastle/gauges";
 import { root } from "../../tools/web.mjs";
 
 const plate = ["rated_pull", "stall_pull", "motor_current_rated"] as const;
@@ -38,4 +38,13 @@ test("a counter that stands below zero says of what: an anchor that is home has 
   assert.equal(countedFrom(-2.84), "inboard of the lip");
   assert.equal(countedFrom(-0.04), "from the lip", "as it is shown: 0.0");
   assert.equal(countedFrom(0.6), "from the lip");
+});
+
+test("a panel without supply has no lamp lit, though its drive is cut off", () => {
+  const lit = (power: boolean, tripped: boolean, emergency_stop = false): string[] =>
+    Object.entries(lampsLit({ power, tripped, emergency_stop })).flatMap(([lamp, on]) => (on ? lamp : []));
+  assert.deepEqual(lit(true, false), ["power", "ready"]);
+  assert.deepEqual(lit(true, true), ["power", "trip"]);
+  assert.deepEqual(lit(true, true, true), ["power", "trip", "e-stop"]);
+  assert.deepEqual(lit(false, true, true), []);
 });
