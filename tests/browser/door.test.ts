@@ -320,6 +320,8 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await passesAxe(tablet);
   await on(tablet, "Close").click();
   assert.match(await tablet.locator(".notice").textContent(), /^(The class is over|Die Klasse ist beendet)/);
+  await tablet.locator("input[name=code]").fill("A"); // she is at another class
+  assert.equal(await tablet.locator(".notice").textContent(), "");
   await tablet.reload();
   await tablet.locator("input[name=code]").waitFor();
   assert.equal(await kept.count(), 0);

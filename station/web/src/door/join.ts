@@ -1,6 +1,6 @@
 // A trainee comes in: the code of the class, and a name.
 
-import { h } from "../kit/dom";
+import { h, setText } from "../kit/dom";
 import { type Me, act, ask } from "./ask";
 import { doorSaid } from "./door_sentences";
 import { field, form } from "./form";
@@ -56,11 +56,14 @@ export function makeJoin(): void {
     { class: "quiet", hidden: true },
     t("Nobody is set up yet: the door's program has printed a link."),
   );
+  const sentAway = h("p", { class: "notice", role: "status" }, capital(doorSaid(whySentAway())));
+  // It is of the class before: who begins the form is at another one.
+  for (const begun of [code, name, listed]) begun.addEventListener("input", () => setText(sentAway, ""));
   root.append(
     h(
       "div",
       { class: "narrow" },
-      h("p", { class: "notice", role: "status" }, capital(doorSaid(whySentAway()))),
+      sentAway,
       form(
         t("Take a seat"),
         [
