@@ -306,9 +306,10 @@ export class Timeline {
     ctx.textAlign = "right";
     // Its figures are not those of the clock on top, which is the exercise's.
     if (this.replay) ctx.fillText(t("recording"), this.labels - 8, y + (kAxis * this.large) / 2);
-    ctx.textAlign = "center";
-    for (let time = 0; time <= this.span; time += step)
+    for (let time = 0; time <= this.span; time += step) {
+      ctx.textAlign = time === 0 ? "left" : "center"; // the first is clear of the words before it
       ctx.fillText(clock(time), this.labels + (this.width * time) / this.span, y + (kAxis * this.large) / 2);
+    }
   }
 
   private drawMark(ctx: CanvasRenderingContext2D, mark: Mark): void {
