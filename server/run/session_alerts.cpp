@@ -87,7 +87,7 @@ void Session::watch_for_a_runaway() {
 }
 
 /// A windlass motor that its protection has cut off, until it is reset. An emergency stop and a lost supply,
-/// which light the trip lamp, too, are no trips.
+/// which cut it off, too, are no trips.
 void Session::watch_the_motors() {
     for (const auto& tackle : snapshot_.tackle) {
         const int side = static_cast<int>(tackle.side);
