@@ -46,8 +46,8 @@ export class WebKit {
     const url = `http://127.0.0.1:${port}`;
     await eventually("WebKit's driver", () =>
       fetch(`${url}/status`).then(
-        (answer) => answer.ok,
-        () => false,
+        (answer): boolean => answer.ok,
+        (): boolean => false,
       ),
     );
     const driver = await new Builder()
@@ -59,7 +59,7 @@ export class WebKit {
   }
 
   async end(): Promise<void> {
-    await this.driver.quit().catch(() => undefined); // it may have ended by itself
+    await this.driver.quit().catch((): void => undefined); // it may have ended by itself
     for (const each of this.started.reverse()) each.kill();
   }
 
@@ -102,6 +102,8 @@ export class WebKit {
       .move({ ...whole[0], duration: 0 })
       .press();
     for (const to of whole.slice(1)) hand = hand.move({ ...to, duration });
-    await hand.pause(held).release().perform();
+    // It moves where it is: at a pause WebKit's driver stays for good.
+    for (let ms = 0; ms < held; ms += 500) hand = hand.move({ ...whole.at(-1), duration: 500 });
+    await hand.release().perform();
   }
 }
