@@ -86,8 +86,8 @@ std::string heading(const Figure& figure) {
 /// Why an exercise has no figures of its tackle, and no curve; empty: it has.
 std::string why_no_figures(const Class& of, std::size_t i) {
     if (of.worked[i] != nullptr) return "";
-    return std::ranges::any_of(of.at(i).sides, &Side::worked) ? "; nothing of its cable was recorded"
-                                                              : "; no lever was moved, and no cable";
+    return std::ranges::any_of(of.at(i).sides, &Side::worked) ? "nothing of its cable was recorded"
+                                                              : "no lever was moved, and no cable";
 }
 
 std::string results_part(const Class& of) {
@@ -106,6 +106,7 @@ std::string results_part(const Class& of) {
     for (std::size_t i = 0; i < of.size(); ++i) {
         const Beside& one = of.all[i];
         const auto& marks = of.at(i).assessment;
+        const std::string no_figures = why_no_figures(of, i);
         const std::string who = escaped(one.who),
                           since = one.word ? fmt::format("; set by {} since: {}: {}", one.word->by,
                                                          one.word->stands(), one.word->note)
@@ -116,7 +117,7 @@ std::string results_part(const Class& of) {
             text_cell((!marks              ? "not assessed"
                        : marks->practice() ? practice_words(of.at(i))
                                            : outcome_words(marks->outcome().to_string())) +
-                      why_no_figures(of, i) + since)};
+                      (no_figures.empty() ? "" : "; " + no_figures) + since)};
         for (const std::string& id : order) {
             const auto found = figures[i].find(id);
             row.push_back(figure_cell(found == figures[i].end() ? "" : told(found->second)));
@@ -379,7 +380,7 @@ std::string plot_part(const Class& of) {
                                          line.name, line.samples.back().value);
     for (std::size_t i = 0; i < of.size(); ++i)
         if (const std::string why = why_no_figures(of, i); !why.empty())
-            plot.sentence += fmt::format(" no. {}: {}.", i + 1, why.substr(2));
+            plot.sentence += fmt::format(" no. {}: {}.", i + 1, why);
     return section(
         "over-time", "Over one time",
         fmt::format("<figure>\n<div class=\"wide\">{}</div>\n<figcaption>{} Below it a row to each "

@@ -1,7 +1,6 @@
 // recorder record: hears every topic of an exercise, and writes it down. recorder record-many: of several.
 
 #include "recorder/command.hpp"
-#include "recorder/record/disk_space.hpp"
 #include "recorder/record/live_recording.hpp"
 #include "recorder/record/many_recordings.hpp"
 #include "station/options.hpp"
@@ -34,10 +33,6 @@ int record(RecordOptions& options) {
     if (options.output.empty())
         options.output =
             std::filesystem::path("recordings") / (options.session.partition + utc_now("_{:%Y%m%dT%H%M%SZ}"));
-    if (const auto full = disk_too_full(options.output, options.recording.keep_free())) {
-        tell(*full);
-        return kDisk;
-    }
     prepare();
     const auto session = options.session.session();
     const auto started = Clock::now();

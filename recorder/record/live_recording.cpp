@@ -7,6 +7,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <unistd.h>
 
 namespace windlass::recorder {
@@ -25,6 +26,13 @@ std::uint64_t bytes(double megabytes) {
 mcap::Compression compression(const std::string& name) {
     if (name == "lz4") return mcap::Compression::lz4;
     return name == "zstd" ? mcap::Compression::zstd : mcap::Compression::none;
+}
+
+/// Only where there is room for it.
+LiveRecording::Of with_room(LiveRecording::Of of, const RecordingOptions& options) {
+    if (const auto full = disk_too_full(of.folder, bytes(options.keep_free_mb)))
+        throw mcap::WriteError(*full, ENOSPC);
+    return of;
 }
 
 } // namespace
@@ -56,7 +64,7 @@ std::string utc_now(const char* format) {
 }
 
 LiveRecording::LiveRecording(const wire::Participant& participant, Of of, const RecordingOptions& options)
-    : of_(std::move(of)),
+    : of_(with_room(std::move(of), options)),
       options_(options),
       queue_(bytes(options.queue_mb)),
       capture_(std::in_place, participant, queue_),
@@ -74,9 +82,7 @@ bool LiveRecording::go_on(std::chrono::milliseconds wait) {
         write_what_came(wait);
         every_second();
     } catch (const mcap::WriteError& error) {
-        had_to_end_ = error.what();
-        refused_ = true;
-        code_ = kDisk;
+        has_refused(error);
     }
     return had_to_end_.empty();
 }
@@ -90,9 +96,7 @@ int LiveRecording::end(const std::string& because) {
             tape_.close(closing());
         }
     } catch (const mcap::WriteError& error) {
-        had_to_end_ = error.what();
-        refused_ = true;
-        code_ = kDisk;
+        has_refused(error);
     }
     if (refused_) {
         feed_.give_up();
@@ -105,6 +109,13 @@ int LiveRecording::end(const std::string& because) {
     if (!feed_.heard_something()) tape_.discard();
     report();
     return code_;
+}
+
+/// The disk.
+void LiveRecording::has_refused(const mcap::WriteError& error) {
+    had_to_end_ = error.what();
+    refused_ = true;
+    code_ = kDisk;
 }
 
 void LiveRecording::write_what_came(std::chrono::milliseconds wait) {
@@ -144,7 +155,7 @@ void LiveRecording::every_second() {
                          drops));
         drops_told_ = drops;
     }
-    if (const auto full = disk_too_full(of_.folder, options_.keep_free())) {
+    if (const auto full = disk_too_full(of_.folder, bytes(options_.keep_free_mb))) {
         had_to_end_ = *full;
         code_ = kDisk;
     }

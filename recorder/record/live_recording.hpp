@@ -18,8 +18,6 @@ struct RecordingOptions {
     double keep_free_mb = 256;                    ///< of the disk
     double queue_mb = 64;                         ///< of samples that wait for the disk
 
-    std::uint64_t keep_free() const { return static_cast<std::uint64_t>(keep_free_mb * 1e6); } ///< bytes
-
     void add_to(CLI::App& app);
 };
 
@@ -35,7 +33,8 @@ public:
         std::filesystem::path folder;
     };
     /// Hears that partition from now on. Outlived by the options. Throws std::runtime_error when DDS makes no
-    /// reader, mcap::WriteError when the folder cannot be made or has a recording already.
+    /// reader, mcap::WriteError when the disk has too little room or the folder cannot be made or has a
+    /// recording already.
     LiveRecording(const wire::Participant& participant, Of of, const RecordingOptions& options);
 
     /// Writes what has come, waiting for the first at most so long. False: it has to end, as end() tells.
@@ -51,6 +50,7 @@ private:
     void write_what_came(std::chrono::milliseconds wait);
     void look_at(const Sample& sample);
     void every_second();
+    void has_refused(const mcap::WriteError& error);
     mcap::Strings metadata() const;
     mcap::Strings closing() const;
     void report() const;

@@ -1,7 +1,6 @@
 #include "recorder/record/many_recordings.hpp"
 
 #include "recorder/command.hpp"
-#include "recorder/record/disk_space.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -82,8 +81,6 @@ void ManyRecordings::begin(const std::string& exercise, const std::filesystem::p
     }
     const std::string partition = wire::exercise_partition(exercise);
     try {
-        if (const auto full = disk_too_full(folder, options_.keep_free()))
-            throw mcap::WriteError(*full, ENOSPC);
         recordings_.try_emplace(exercise, wire::Participant(member_, partition),
                                 LiveRecording::Of{session_.domain, partition, folder}, options_);
     } catch (const mcap::WriteError& error) {

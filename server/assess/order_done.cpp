@@ -102,7 +102,7 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
             done.bounds.push_back(between("shackles", order.value - kAtMark, order.value + kAtMark));
         break;
     case BridgeOrderCode::walk_back:
-        if (order.value > 0) // what is only begun is not carried out
+        if (is_to_a_figure(order)) // what is only begun is not carried out
             done.bounds = {between("cable_speed", -kStands, kStands),
                            between("shackles", order.value - kAtMark, order.value + kAtMark)};
         else
@@ -116,7 +116,7 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
         break;
     case BridgeOrderCode::heave:
     case BridgeOrderCode::heave_to:
-        if (order.value > 0)
+        if (is_to_a_figure(order))
             done.bounds = {between("cable_speed", -kStands, kStands),
                            below("shackles", order.value + kAtMark)};
         else

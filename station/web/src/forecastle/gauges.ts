@@ -209,7 +209,8 @@ export class Gauges {
         this.aid,
         t("aid of this exercise: brake lining {degrees} °C", { degrees: figure(celsius(view.lining_temperature)) }),
       );
-    for (const lamp of kLamps) this.light(lamp, lampsLit(view)[lamp], lamp === "trip" || lamp === "e-stop");
+    const lit = lampsLit(view);
+    for (const lamp of kLamps) this.light(lamp, lit[lamp], lamp === "trip" || lamp === "e-stop");
   }
 
   /** In other units than before. */
