@@ -19,9 +19,6 @@ constexpr auto kTakesUp = 10s;    // for which a server that is started again ma
 constexpr auto kEnds = 10s;       // for which a class that is over waits for an exercise to end
 constexpr std::size_t kAsked = 8; // at a time: a server lets 16 wait
 
-/// As the server's text of assessment.unanswered begins where the bridge has an answer that is not so.
-constexpr std::string_view kMisled = "the bridge was told what is not so";
-
 constexpr std::size_t kWaiting = 16; // orders, for an exercise that is not there yet
 
 /// It has not begun: nobody has started it, and it goes on from nowhere.
@@ -136,10 +133,11 @@ void ClassRuns::look_back(const std::string& exercise, const std::function<bool(
 std::optional<Asking> ClassRuns::asking(const std::string& exercise) const {
     std::optional<Asking> asks;
     look_back(exercise, [&](const Event& event) {
-        if (event.code() == "assessment.unanswered") {
+        const bool misled = event.code() == "assessment.misled";
+        if (misled || event.code() == "assessment.unanswered") {
             if (!asks) asks = Asking{.since = 0, .gives_up = event.value()};
             asks->since = event.time();
-            asks->misled = asks->misled || event.text().to_string().starts_with(kMisled);
+            asks->misled = asks->misled || misled;
         }
         return event.code() != "assessment.answered" && event.code() != "lesson.over";
     });

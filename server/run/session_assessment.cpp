@@ -63,7 +63,7 @@ void Session::tell_when_the_bridge_gives_up() {
     if (at < 0) return;
     const double until = static_cast<double>(at) / rate;
     const bool misled = assessor_.state().misled_at >= 0;
-    log("assessment.unanswered",
+    log(misled ? words::EventCode("assessment.misled") : words::EventCode("assessment.unanswered"),
         fmt::format("the bridge {}: if it hears nothing{} it gives up at {}, and the lesson ends",
                     misled ? "was told what is not so" : "asks again", misled ? " else" : "",
                     clock_text(until)),

@@ -16,20 +16,13 @@ export interface Asking {
   misled: boolean;
 }
 
-const kMisled = "the bridge was told what is not so"; // as the server's text of the event begins
-
 /** As the exercise's log has it; undefined: it waits for no answer. log: of the branch that runs, by time. */
-export function askingOf(
-  log: readonly { code: string; time: number; value: number; text: string }[],
-): Asking | undefined {
+export function askingOf(log: readonly { code: string; time: number; value: number }[]): Asking | undefined {
   let asking: Asking | undefined;
-  for (const { code, time, value, text } of log) {
-    if (code === "assessment.unanswered")
-      asking = {
-        since: asking?.since ?? time,
-        gives_up: value,
-        misled: (asking?.misled ?? false) || text.startsWith(kMisled),
-      };
+  for (const { code, time, value } of log) {
+    const misled = code === "assessment.misled";
+    if (misled || code === "assessment.unanswered")
+      asking = { since: asking?.since ?? time, gives_up: value, misled: misled || (asking?.misled ?? false) };
     else if (code === "assessment.answered" || code === "lesson.over") asking = undefined;
   }
   return asking;

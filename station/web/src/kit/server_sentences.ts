@@ -58,10 +58,10 @@ export const serverSentences: Readonly<Record<string, readonly string[]>> = {
     "lesson {lesson} is over: {0} points, not_yet",
     "lesson {lesson} is over: {0} points, not_shown",
   ],
-  "assessment.unanswered": [
-    "the bridge asks again: if it hears nothing it gives up at {time}, and the lesson ends",
+  "assessment.misled": [
     "the bridge was told what is not so: if it hears nothing else it gives up at {time}, and the lesson ends",
   ],
+  "assessment.unanswered": ["the bridge asks again: if it hears nothing it gives up at {time}, and the lesson ends"],
   "cable.parted": ["cable has parted {0} m from the anchor: anchor lost"],
   "cable.shackle": [
     "{0} shackle on deck, heaving",

@@ -5,15 +5,10 @@ import { test } from "node:test";
 
 import { askingOf, asksInVain } from "../../src/kit/asks_in_vain";
 
-const asks = (time: number, gives_up: number, text = "the bridge asks again: if it hears nothing it gives up") => ({
-  code: "assessment.unanswered",
-  time,
-  value: gives_up,
-  text,
-});
-const lied = "the bridge was told what is not so: if it hears nothing else it gives up";
-const answered = { code: "assessment.answered", time: 50, value: 0, text: "" };
-const report = { code: "report.made", time: 40, value: 0, text: "" };
+const asks = (time: number, gives_up: number, code = "assessment.unanswered") => ({ code, time, value: gives_up });
+const lied = "assessment.misled";
+const answered = { code: "assessment.answered", time: 50, value: 0 };
+const report = { code: "report.made", time: 40, value: 0 };
 
 test("a bridge asks in vain from the first time on, and gives up as it said last", () => {
   assert.equal(askingOf([]), undefined);
@@ -23,7 +18,7 @@ test("a bridge asks in vain from the first time on, and gives up as it said last
 
 test("it does so no more once it has its answer, or the lesson is over; and anew when it asks again", () => {
   assert.equal(askingOf([asks(18, 63), answered]), undefined);
-  assert.equal(askingOf([asks(18, 63), { code: "lesson.over", time: 63, value: 0, text: "" }]), undefined);
+  assert.equal(askingOf([asks(18, 63), { code: "lesson.over", time: 63, value: 0 }]), undefined);
   assert.deepEqual(askingOf([asks(18, 63), answered, asks(90, 140)]), { since: 90, gives_up: 140, misled: false });
 });
 

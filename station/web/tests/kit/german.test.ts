@@ -39,7 +39,7 @@ void test("sentences that the server makes up are read in German", () => {
       "die Brücke fragt noch einmal: hört sie nichts, gibt sie bei 6:18 auf, und die Lektion endet",
     ],
     [
-      "assessment.unanswered",
+      "assessment.misled",
       "the bridge was told what is not so: if it hears nothing else it gives up at 6:18, and the lesson ends",
       "der Brücke wurde Falsches gemeldet: hört sie nichts anderes, gibt sie bei 6:18 auf, und die Lektion endet",
     ],
