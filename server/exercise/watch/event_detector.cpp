@@ -25,8 +25,7 @@ constexpr double kCooled = 100;       ///< K below smoking; a hand that hunts ma
 constexpr double kBrakeOff = 0.5;     ///< of the hand-wheel, from where it holds no anchor's weight
 constexpr double kStands = 0.005;     ///< m/s, cable that stands, and is not lowered however slowly
 constexpr double kStandsLong = 3;     ///< s for which it must stand before anybody says that it does not run
-constexpr int kCalled = -1;           ///< of fast_
-constexpr int kMaxSteps = 1'000'000;  ///< of fast_, in a state that is brought back
+constexpr double kCalled = -1;        ///< of stood_
 constexpr int kMaxShackles = 1000;    ///< in a state that is brought back: more than any cable has
 
 std::string text(const char* format, double value) {
@@ -275,20 +274,20 @@ void EventDetector::call_machine(const physics::GroundTackle& tackle, const Even
 void EventDetector::call_fast(double dt, const physics::Windlass& windlass, const EventLog& log) {
     const physics::WindlassState& state = windlass.state();
     if (!state.pipe.jammed || !is_to_run_out(state)) {
-        fast_ = 0;
+        stood_ = 0;
         return;
     }
-    if (fast_ == kCalled) return;
+    if (stood_ == kCalled) return;
     const double jam = windlass.loads().jam;
-    const int tried = static_cast<int>(std::lround(kStandsLong / dt));
     if (state.cable_speed > kRunningSpeed) {
-        fast_ = tried; // of cable that ran it shows at once
+        stood_ = kStandsLong; // of cable that ran it shows at once
     } else if (jam > 0 && state.cable_speed < kStands) {
-        if (++fast_ <= tried) return;
-        fast_ = kCalled;
+        stood_ += dt;
+        if (stood_ <= kStandsLong) return;
+        stood_ = kCalled;
         log("spurling_pipe.fast", side_, jam);
-    } else if (fast_ < tried) {
-        fast_ = 0;
+    } else if (stood_ < kStandsLong) {
+        stood_ = 0;
     }
 }
 
@@ -299,9 +298,9 @@ void visit_state(Visitor& v, Self& self) {
                    self.overspeed_, self.overload_, self.overspeed_trip_, self.burst_, self.sheared_,
                    self.jumping_, self.sprung_, self.glazed_, self.end_parted_, self.lost_,
                    self.overstrained_, self.clutch_refused_, self.stopper_refused_, self.brake_waits_,
-                   self.end_, self.fast_, self.heaping_, self.turned_, self.wedged_, self.flukes_inboard_);
+                   self.end_, self.stood_, self.heaping_, self.turned_, self.wedged_, self.flukes_inboard_);
     v.within({"shackles"}, self.shackles_, 0, kMaxShackles);
-    v.within({"fast"}, self.fast_, kCalled, kMaxSteps);
+    v.within({"stood"}, self.stood_, kCalled, kStandsLong);
 }
 WINDLASS_STATE_LISTED(EventDetector);
 

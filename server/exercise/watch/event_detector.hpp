@@ -62,9 +62,9 @@ private:
     bool overspeed_trip_ = false, burst_ = false, sheared_ = false, jumping_ = false, sprung_ = false;
     bool glazed_ = false, end_parted_ = false, lost_ = false, overstrained_ = false;
     bool clutch_refused_ = false, stopper_refused_ = false, brake_waits_ = false, end_ = false;
-    /// Steps for which cable that is to run out has stood on a jam in the spurling pipe; kCalled: it has been
+    /// s for which cable that is to run out has stood on a jam in the spurling pipe; kCalled: it has been
     /// called in this try.
-    int fast_ = 0;
+    double stood_ = 0;
     bool heaping_ = false, turned_ = false, wedged_ = false, flukes_inboard_ = false;
 };
 
