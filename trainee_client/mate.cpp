@@ -249,11 +249,12 @@ void Mate::let_go() {
         stage(2);
     }
     if (deed_.stage == 2) {
-        if (std::abs(speed_) <= kHolds)
+        if (std::abs(speed_) <= kHolds) { // a brake that creeps has not let go yet
             turn(-kLetGoTurn);
-        else if (fastest_ == 0)
-            fastest_ = speed_, say(plain(REPORT_LET_GO));
-        fastest_ = std::max(fastest_, speed_);
+        } else {
+            if (fastest_ == 0) say(plain(REPORT_LET_GO));
+            fastest_ = std::max(fastest_, speed_);
+        }
         if (fastest_ > 0) {
             if (speed_ > kLetGo) turn(kFine * 4 * (speed_ - kLetGo)), tightened_ = time_;
             const bool slows = fastest_ > 1 && speed_ < kLanded * fastest_ && time_ > tightened_ + kNoHand;

@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x418957b9526b7054},
-    {1800, 0xc9342cc9ceb8491e},
-    {3300, 0x88d94f6093c71d04},
-    {6000, 0xdb8b834e5832198d},
-    {8700, 0x6eaca7965c361a2f},
-    {12000, 0x9019e2f8abe9ffc0},
-    {15000, 0xf547d618dc7cbe32},
+    {300, 0xc35b6c93c1a0608a},
+    {1800, 0xbe38285179766872},
+    {3300, 0x80c96acfe1a725d8},
+    {6000, 0x6e34a53d8c6b32eb},
+    {8700, 0xc01b4368d3a0f5e4},
+    {12000, 0x9a47db206e2c1a53},
+    {15000, 0x6c8e0eb1245068cc},
 }};
 
 } // namespace

@@ -212,23 +212,24 @@ TEST(Model, SaysNothingOfItsErrorFromWhenTheAnchorGivesWayToBeingHoveUntilItIsHo
     EXPECT_FALSE(silent());
 }
 
-// A knock against the plating is told in one tick or in none: with longer steps this anchor came to lie on
-// its other side.
+// A knock against the plating is told in one tick or in none: by longer steps this anchor came to lie 0.65 m
+// elsewhere. A millimetre more water makes nothing of it here, and a few centimetres in others like it.
 TEST(Model, StepsAnAnchorThatKnocksAgainstTheSideAsFinelyAsInFull) {
     const ExerciseDef def = config::parse_exercise(R"({"from": "let_go_port_25m",
-            "environment": {"depth": 42.7, "wind_speed": 5, "wind_from_deg": 340},
-            "ship": {"from": "general_cargo_118m"}, "ship_start": {"surge": -0.3},
+            "environment": {"depth": 42.7, "wind_speed": 5, "wind_from_deg": 340, "swell_height": 2.5,
+                            "swell_period": 9, "swell_from_deg": 300},
+            "ship": {"from": "general_cargo_118m"}, "ship_start": {"surge": 2.5},
             "tackle": [{"side": "port", "windlass": {"from": "electric_46mm"},
                         "chain": {"from": "stud_link_46mm_k3"}, "anchor": {"from": "stockless_3540"},
-                        "cable_out": 5, "brake": 1, "clutch_in": false, "stopper_closed": false}]})",
+                        "cable_out": 8, "brake": 1, "clutch_in": false, "stopper_closed": false}]})",
                                                    "knocks", WINDLASS_CONFIG_DIR);
     Drill policy(def), full(in_full(def));
     for (Drill* drill : {&policy, &full}) {
-        drill->run(10);
+        drill->run(20);
         drill->brake(0);
         ASSERT_TRUE(drill->run_until([&] { return drill->anchor().phase == AnchorPhase::on_bottom; }, 60));
     }
-    EXPECT_LT((policy.anchor().shackle - full.anchor().shackle).norm(), 0.01); // m; it was 1.2
+    EXPECT_LT((policy.anchor().shackle - full.anchor().shackle).norm(), 0.02); // m; it is 0.0014
 }
 
 // How long a step is goes by the state alone: where the anchor lies against its pipe is known after a step

@@ -109,6 +109,15 @@ void Anchor::hang(const Vec3& shackle, const Eigen::Quaterniond& attitude) {
     set_pose(pose);
 }
 
+void Anchor::hang_at_rest(const Vec3& shackle, const Eigen::Quaterniond& attitude,
+                          const EnvironmentDef& environment) {
+    hang(shackle, attitude);
+    const Vec3 weight_acts =
+        body_.position() + flukes_.weight() / weight(environment) * flukes_.shift(body_.axes());
+    const Vec3 below = weight_acts - shackle;
+    hang(shackle, Eigen::Quaterniond::FromTwoVectors(below, -Vec3::UnitZ()) * attitude);
+}
+
 Vec3 Anchor::shackle() const {
     return body_.place(shape_.shackle);
 }
@@ -233,6 +242,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     Vector7 start;
     start << body_.motion(), flukes_.rate();
     touches_.find(*this, time.dt, hull != nullptr ? *hull : HullSurface{});
+    near_ship_ = touches_.near_ship();
     const Matrix6 inertia = body_.inertia();
     hold(environment, time);
     apply_gravity_and_drag(environment, time);
@@ -327,7 +337,7 @@ Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, 
 template <class Visitor, StateOf<Anchor> Self>
 void visit_state(Visitor& v, Self& self) {
     WINDLASS_STATE(v, self.body_, self.flukes_, self.holding_, self.bight_, self.soil_force_, self.driven_,
-                   self.poor_soil_);
+                   self.near_ship_, self.poor_soil_);
     WINDLASS_WITHIN(v, -kStrongest, kStrongest, self.soil_force_, self.driven_);
     WINDLASS_WITHIN(v, 0, 1, self.poor_soil_);
 }

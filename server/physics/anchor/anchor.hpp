@@ -70,6 +70,9 @@ public:
     void set_pose(const AnchorPose& pose) { body_.set_pose(pose); }
     /// At rest, with its shackle at the given point, m.
     void hang(const Vec3& shackle, const Eigen::Quaterniond& attitude);
+    /// The same, leaning as far as its flukes, which stay as they stand, make it lean.
+    void hang_at_rest(const Vec3& shackle, const Eigen::Quaterniond& attitude,
+                      const EnvironmentDef& environment);
     void set_motion(const Vector6& motion) { body_.set_motion(motion); }
     const HoldingState& holding() const { return holding_; }
     void set_holding(const HoldingState& holding) { holding_ = holding; }
@@ -95,6 +98,7 @@ public:
     /// N, downwards at the crown: soil and cables that it carries when it is clear of the bottom.
     double load(const EnvironmentDef& environment) const;
 
+    bool near_ship() const { return near_ship_; } ///< within 0.25 m, at the start of the last step
     bool touches_left_out() const { return touches_.full(); }  ///< of the hull, in the last step
     Vec3 shackle() const;                                      ///< m, world
     Vec3 shackle_velocity() const;                             ///< m/s, world
@@ -171,7 +175,8 @@ private:
     BightState bight_;
     double soil_force_ = 0;
     Vec3 driven_ = Vec3::Zero(); ///< N, along the bed: all but the soil that moved the crown in the last step
-    double poor_soil_ = 0;       ///< share of the soil's holding that a fault takes, as of the last step
+    bool near_ship_ = false;
+    double poor_soil_ = 0; ///< share of the soil's holding that a fault takes, as of the last step
 
     Step step_; ///< under way
     HullTouches touches_;

@@ -18,6 +18,10 @@ constexpr double kDeepest = 0.6;
 
 /// m, so much further than touches are it is looked to know how far the anchor may go until the next look.
 constexpr double kAhead = 1.0;
+/// m: so near it may touch before a long step ends.
+constexpr double kNear = 0.25;
+/// Whether is looked is decided with this to spare (m), so that rounding never tells what is near.
+constexpr double kRounding = 1e-6;
 /// Looks without that after one that found the anchor too near: it will be so for a while.
 constexpr int kLooksNearby = 30;
 
@@ -67,6 +71,7 @@ void HullTouches::find(const Anchor& anchor, double dt, const HullSurface& hull)
     touches_.clear();
     bearings_.clear();
     triangles_.clear();
+    near_ship_ = false;
     if (hull.mesh == nullptr) return;
     anchor_ = &anchor, hull_ = &hull, dt_ = dt;
     const AnchorPose pose = anchor.pose();
@@ -77,7 +82,8 @@ void HullTouches::find(const Anchor& anchor, double dt, const HullSurface& hull)
                         (pose.spin.norm() + std::abs(anchor.fluke_rate())) * anchor.reach();
     room_ = 0.01 + dt * fast; // and what a step adds to the speed
     const AnchorPlace place{centre, into * pose.attitude, anchor.fluke_angle()};
-    if (drift_.clear(place, anchor.reach()) > room_) return;
+    const double clear = kNear + kRounding;
+    if (drift_.clear(place, anchor.reach()) > std::max(room_, clear)) return;
     material_ = hull.material;
     damping_ = 2 * kDamping * std::sqrt(material_.stiffness * anchor.mass());
     before_ << anchor.motion(), anchor.fluke_rate();
@@ -86,14 +92,15 @@ void HullTouches::find(const Anchor& anchor, double dt, const HullSurface& hull)
     } else {
         look(centre, kAhead);
         drift_.mark(place, full() ? 0 : clear_);
-        if (drift_.clear(place, anchor.reach()) > 2 * room_) return;
+        if (drift_.clear(place, anchor.reach()) > std::max(2 * room_, clear)) return;
         looks_nearby_ = kLooksNearby;
     }
-    look(centre, 0);
+    look(centre, kNear);
+    near_ship_ = full() || clear_ < kNear;
 }
 
 /// Finds the touches, and how clear the anchor is of any. centre: m, of its mass, in the ship's frame. ahead:
-/// m, looked further than touches are; without any, what it is clear is less than it is.
+/// m, looked further than touches are: how clear it is, is told up to that.
 void HullTouches::look(const Vec3& centre, double ahead) {
     touches_.clear();
     // Whether a point is inside is told by what is nearest to it: everything so near is looked at. From where

@@ -36,6 +36,8 @@ public:
     /// alone until it has gone as far as it was clear.
     void find(const Anchor& anchor, double dt, const HullSurface& hull);
     bool empty() const { return touches_.empty(); }
+    /// Whether it was within a quarter of a metre of the ship at the start of the step.
+    bool near_ship() const { return near_ship_; }
     /// Whether there may be more than it has places for.
     bool full() const {
         return touches_.size() == touches_.capacity() || triangles_.size() == triangles_.capacity();
@@ -80,6 +82,7 @@ private:
     std::vector<HullTouch> touches_;
     std::vector<Bearing> bearings_; ///< those that bear
     double turns_flukes_ = 0;
+    bool near_ship_ = false;
     double clear_ = 0; ///< m, that every point of the anchor can go until it touches; found by look()
 
     AnchorDrift drift_;

@@ -31,8 +31,9 @@ struct TackleSetup {
     std::optional<HawsePipe> pipe = {}; ///< that the anchor is hove home into; none: it stays below the lip
     Eigen::Quaterniond ship_attitude = Eigen::Quaterniond::Identity(); ///< ship's axes into the world's
     double anchor_turned = 0; ///< rad, of the hanging anchor about the plumb line, from fore and aft
-    double flukes_turned =
-        0; ///< rad, of its flukes out of the shank's plane; to starboard positive, if not turned
+    /// rad, of its flukes out of the shank's plane; to starboard positive, if not turned. None: as far as
+    /// they go on the side away from the ship; without a pipe, and so without a ship, not at all.
+    std::optional<double> flukes_turned = {};
 };
 
 /// One anchor with its cable and windlass.

@@ -43,6 +43,16 @@ Eigen::Quaterniond hanging(const TackleSetup& setup) {
            Eigen::Quaterniond(Eigen::AngleAxisd(-kQuarter, Vec3::UnitY()));
 }
 
+/// rad, of the flukes of an anchor that hangs so. They do not stay upright on their pin: they have fallen,
+/// away from the ship, as when it came out of its pipe.
+double fallen_flukes(const TackleSetup& setup, const Eigen::Quaterniond& attitude) {
+    if (setup.flukes_turned) return *setup.flukes_turned;
+    if (!setup.pipe) return 0;
+    const Vec3 inboard = setup.ship_attitude * setup.pipe->bore,
+               towards_positive = -(attitude * Vec3::UnitZ());
+    return std::copysign(setup.anchor.fluke_angle, -inboard.dot(towards_positive));
+}
+
 /// Hangs the cable below the lip with the tension that its weight and the anchor's give it: no start-up jerk.
 void hang_at_rest(const ChainDef& def, const EnvironmentDef& environment, double deck_length, const Vec3& lip,
                   double anchor_weight, ChainState& chain) {
@@ -81,11 +91,16 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
     if (setup.cable_out < std::max(min, limits.home) || setup.cable_out > limits.bitter_end) {
         throw std::invalid_argument("cable out at the start is not between anchor home and bitter end");
     }
-    anchor_.hang(chain_.position.at(0), hanging(setup));
+    const Eigen::Quaterniond attitude = hanging(setup);
+    anchor_.turn_flukes(fallen_flukes(setup, attitude));
+    anchor_.hang(chain_.position.at(0), attitude);
     hang_at_rest(setup.chain, environment, setup.windlass.hawse_pipe_length, lip, anchor_.weight(environment),
                  chain_);
-    anchor_.hang(chain_.position.at(0), hanging(setup));
-    anchor_.turn_flukes(setup.flukes_turned);
+    if (setup.pipe) {
+        anchor_.hang_at_rest(chain_.position.at(0), attitude, environment);
+    } else {
+        anchor_.hang(chain_.position.at(0), attitude);
+    }
     under_way_.lip = lip;
     under_way_.ship = setup.ship_attitude;
     if (setup.pipe && windlass_.drawn_in() > 0) start_in_pipe(environment);

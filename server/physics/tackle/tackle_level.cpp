@@ -133,13 +133,13 @@ int GroundTackle::stride(double dt) const {
     // m/s, of an anchor that is not in the hawse pipe: one that falls over or runs is stepped as finely as
     // the ground's hard contact wants. Error of the load over the whole with 2, 16 and 60 cm/s: 0.76, 0.49
     // and 0.67 % in 25 m of sand, 0.58, 0.60 and 1.63 in 18 m of gravel, 0.69, 0.67 and 0.88 in 35 m of sand.
-    // One that hangs knocks against the ship's side: with long steps it came to lie 3.5 m elsewhere, on its
-    // other side.
+    // One that knocks against the ship's side came to lie 3.5 m elsewhere with long steps, on its other side.
     constexpr double kAnchorMoves = 0.16;
     const int max = std::max(1, static_cast<int>(kLongest / dt + 1e-6));
     if (!setup_.budget || std::abs(windlass_.state().cable_speed) > kRuns) return 1;
     if (level() == ModelLevel::catenary) return max;
-    const double moves = windlass_.drawn_in() > 0 ? 0 : anchor_.fastest();
+    const bool may_touch = windlass_.drawn_in() == 0 && (anchor_.holding().landed || anchor_.near_ship());
+    const double moves = may_touch ? anchor_.fastest() : 0;
     for (int ticks = moves > kAnchorMoves ? 1 : max; ticks > 1; --ticks) {
         const bool as_long_now = chain_.last_step > (ticks - 0.5) * dt;
         const double step = ticks * dt / (as_long_now ? 1 : kSure);

@@ -53,6 +53,22 @@ double askew(const TackleRig& rig) {
     return std::acos(std::min(1.0, shank.dot(rig.setup.pipe->bore)));
 }
 
+// Flukes do not stand upright on their pin. Those that began so fell over after seconds, to the side that
+// rounding chose, and the anchor swung for a minute: with up to 1.6 m/s, and against the ship's side.
+TEST(HawsePipe, AnchorThatIsOutOfItAtTheStartHangsAtRest) {
+    for (const double cable_out : {5.0, 12.0}) {
+        const Bow bow(cable_out);
+        TackleRig rig = bow.rig();
+        EXPECT_NEAR(std::abs(rig.tackle.anchor().fluke_angle()), rig.setup.anchor.fluke_angle, 1e-9);
+        double fastest = 0;
+        for (int k = 0; k < 300; ++k) {
+            rig.run(0.1);
+            fastest = std::max(fastest, rig.tackle.anchor().fastest());
+        }
+        EXPECT_LT(fastest, 0.02) << cable_out; // m/s: a few mm of settling
+    }
+}
+
 TEST(HawsePipe, IsHoveHomeHoweverItHangsButForFlukesTurnedInboard) {
     // Turned about its shank it slips round in the pipe until its flukes lie outboard, and seats.
     for (const double turned : {0.0, 1.57, 2.2, 3.14}) {
