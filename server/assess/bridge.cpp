@@ -213,10 +213,12 @@ bool is_silent_yet(const State& state) {
 }
 
 /// s that it waits for an order to be repeated, after it has given it: longer for a first word, since he may
-/// still be finding his way about, and after its last call, which he is to have time to answer.
-double waits_for_repeat(const BridgeOrderGiven& given, const State& state) {
+/// still be finding his way about; where it sees by its camera that what it ordered was so already and
+/// nothing but the word is left; and after its last call, which he is to have time to answer.
+double waits_for_repeat(const BridgeOrderGiven& given, const OrderCourse& course, const State& state) {
     const double usual = repeat_within(given) + kWaitsRepeat;
-    const bool longer = is_silent_yet(state) || state.asked >= kMostAsked;
+    const bool no_hurry = course.was_so && answered_by_repeat(given);
+    const bool longer = is_silent_yet(state) || no_hurry || state.asked >= kMostAsked;
     return longer ? std::max(usual, kWaitsLonger) : usual;
 }
 
@@ -400,7 +402,7 @@ private:
         if (course.repeated < 0 && repeat > 0) {
             if (course.wrong_now)
                 return !passed(last_word(), kCorrects) || again(k, "that is wrong; I say again");
-            if (!passed(last_word(), waits_for_repeat(given, state_))) return true;
+            if (!passed(last_word(), waits_for_repeat(given, course, state_))) return true;
             return again(k, "I say again");
         }
         if (course.short_of >= 0)
@@ -557,7 +559,7 @@ std::int64_t gives_up_at(const Lesson& lesson, const State& state, int tick_rate
         const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
         const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;
         const bool not_repeated = course.repeated < 0 && repeat_within(given) > 0;
-        wait = not_repeated ? waits_for_repeat(given, state) : kWaitsAnswer;
+        wait = not_repeated ? waits_for_repeat(given, course, state) : kWaitsAnswer;
         at_last = not_repeated ? kWaitsLonger : 0;
         if (!not_repeated) since = std::max({since, course.given, course.do_by});
     } else if (state.misled_at >= 0) {

@@ -469,7 +469,7 @@ test("ball and lights are shown and taken in, and the instructor sees it", async
   await closePage(seen);
 });
 
-test("a seat for one steers, and gives itself no orders", async () => {
+test("a seat for one steers, gives itself no orders, and repeats those to its forecastle here, too", async () => {
   await page.keyboard.press("z");
   const ship = await rig.station("ship");
   const url = ship.urls().find((line) => line.includes("/bridge#")) ?? (await ship.line(/\/bridge#/));
@@ -484,6 +484,38 @@ test("a seat for one steers, and gives itself no orders", async () => {
   );
   await eventually("it is said", () => own.getByText("This seat gives no orders").isVisible());
 
+  // Whatever is open there, an order to the forecastle is heard, too, and repeated back.
+  const waits = (which: TestPage) => which.getByRole("region", { name: "order to the forecastle" });
+  const state = (text: string) =>
+    page.locator('.said li[data-kind="order"]', { hasText: text }).first().getAttribute("data-state");
+  await own.getByRole("tab", { name: "Anchor watch" }).click();
+  await tab("Forecastle").click();
+  await page.getByRole("button", { name: "Stop heaving", exact: true }).click();
+  await eventually("it stands there", () => waits(own).getByText("stop heaving port cable").isVisible());
+  const repeated = async () => (await state("stop heaving")) === "ORDER_REPEATED";
+  await eventually("repeated", async () => {
+    // Said again where it is lost: a station that has just begun may have met no server yet.
+    if (await repeated()) return true;
+    await waits(own).getByRole("button", { name: "repeat back: stop heaving port cable" }).click({ timeout: 5000 });
+    return eventually("the server has it", repeated, 3000);
+  });
+  await eventually("no more", async () => !(await waits(own).getByText("stop heaving port cable").isVisible()));
+  await page.getByRole("button", { name: "Veer to \u2026" }).click();
+  await page.getByRole("button", { name: "Veer to 4 shackles", exact: true }).click();
+  await waits(own)
+    .getByRole("button", { name: /^repeat back: veer/ })
+    .click();
+  await own.getByRole("dialog").getByRole("button", { name: "4", exact: true }).click();
+  await eventually("with its figure", async () => (await state("to 4 shackles")) === "ORDER_REPEATED");
+  await page.getByRole("button", { name: "Leading?", exact: true }).click();
+  await eventually("a question is answered on the other page", async () =>
+    /\/forecastle#/.test(
+      await waits(own)
+        .getByRole("link", { name: /^answer: how/ })
+        .getAttribute("href"),
+    ),
+  );
+  assert.equal(await waits(page).count(), 0, "the conning seat has no forecastle");
   hadNoProblems(own);
   await closePage(own);
 });

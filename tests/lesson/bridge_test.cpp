@@ -129,6 +129,41 @@ TEST(Bridge, SaysThatItsLastCallIsTheLastAndHasMorePatienceWithAFirstWord) {
     EXPECT_EQ(calls(true), second);
 }
 
+// Who has stopped before he is told to has nothing left to do, and may be at another work: at the anchor
+// ball, say. Who still heaves is called every ten seconds.
+TEST(Bridge, IsInNoHurryWithTheWordOfWhatItSeesDone) {
+    const auto calls = [](double cable_speed) {
+        Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
+            {"id": "heave", "code": "heave", "when": {"time": 1}},
+            {"id": "stop", "code": "stop_heaving", "when": {"answered": "heave", "since": 20}}],
+          "criteria": [{"id": "o", "kind": "order", "orders": ["heave", "stop"]}]})");
+        bridge.windlass().cable_speed = -0.15;
+        bridge.windlass().speed_lever = 0.8;
+        bridge.on(4);
+        bridge.report(ReportCode::heaving);
+        bridge.on(10);
+        bridge.windlass().cable_speed = cable_speed;
+        bridge.windlass().speed_lever = cable_speed < 0 ? 0.8 : 0;
+        std::vector<double> at; // s
+        std::int64_t foretold = -1;
+        while (!bridge.now().finished && bridge.seen().time < 300) {
+            const std::size_t before = bridge.said.size();
+            bridge.on(0.1, BridgeOrderState::given);
+            if (bridge.said.size() > before) at.push_back(bridge.seen().time);
+            const std::int64_t gives_up = gives_up_at(bridge.taught(), bridge.state(), kRate);
+            if (gives_up >= 0) foretold = gives_up;
+        }
+        EXPECT_EQ(foretold, bridge.state().ended);
+        at.push_back(bridge.seen().time);
+        std::vector<long> apart; // s
+        for (std::size_t k = 1; k < at.size(); ++k)
+            apart.push_back(std::lround(at[k] - at[k - 1]));
+        return apart;
+    };
+    EXPECT_EQ(calls(0), (std::vector<long>{30, 30, 30, 30}));
+    EXPECT_EQ(calls(-0.15), (std::vector<long>{10, 10, 10, 30}));
+}
+
 TEST(Bridge, RenewsAnOrderThatWasCarriedOutInPart) {
     Bridge bridge(kPayOut);
     bridge.on(10);

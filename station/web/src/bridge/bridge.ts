@@ -2,7 +2,7 @@
 
 import "./bridge.css";
 
-import { reportAloud } from "../kit/aloud";
+import { orderAloud, reportAloud } from "../kit/aloud";
 import { Briefing } from "../kit/briefing";
 import { Freeze } from "../kit/freeze";
 import { HintLine } from "../kit/instructions";
@@ -26,6 +26,7 @@ import { Instruments } from "./instruments";
 import { PadHand, listenToKeys } from "./keys";
 import { Line } from "./line";
 import { OrderPanel } from "./orders";
+import { OwnOrder } from "./own_order";
 import { PlanFeed } from "./plan_feed";
 import { Telegraph } from "./telegraph";
 import { Thrusters } from "./thrusters";
@@ -56,6 +57,8 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   const briefing = new Briefing(link, marks, "bridge");
   const speech = new Speech();
   line.onReport(({ report, fresh }) => fresh && speech.say(reportAloud(report)));
+  const own = new OwnOrder(link, line);
+  own.onOrder((order) => speech.say(orderAloud(order)));
 
   page.topBar.middle.append(
     bar.element,
@@ -89,7 +92,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
     besidePlan(orders, h("div", { class: "watch-tab" }, shown, watch.element), beside),
   );
   document.body.append(help, briefing.element, marks.element, new Freeze(link, "bridge").element);
-  page.topBar.element.after(briefing.lessonOver);
+  page.topBar.element.after(own.element, briefing.lessonOver);
   new PlanFeed(link, chart, anchors, watch);
 
   link.on("Landmarks", (landmarks) => instruments.setLandmarks(landmarks));

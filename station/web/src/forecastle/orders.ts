@@ -1,15 +1,15 @@
 // What the bridge orders, and the answer: an order is repeated back, with its figure as the trainee understood it.
 
-import { Refused, type Connection } from "../wire/connection";
-import { type BridgeOrder, BridgeOrderCode, BridgeOrderState, type SeatEvent } from "../wire/generated";
+import type { Connection } from "../wire/connection";
+import { type BridgeOrder, BridgeOrderState, type SeatEvent } from "../wire/generated";
 import { Before, begins, leave } from "../kit/branch";
 import { h, setText } from "../kit/dom";
 import { isAnswered, isInForce } from "../kit/order_done";
-import { isOpen, isQuestion, orderMayBeBare, orderUnit, repeatState, written } from "../kit/orders";
-import { clock, unitWritten } from "../kit/units";
-import { figureField, figurePad } from "./pad";
+import { isOpen, isQuestion, repeatState, written } from "../kit/orders";
+import { clock } from "../kit/units";
 import type { Popover } from "../kit/popover";
-import { t, translated } from "../kit/language";
+import { RepeatBack } from "../kit/repeat_back";
+import { t } from "../kit/language";
 
 const kShown = 30;
 const kReports = 200;
@@ -22,10 +22,6 @@ function newestFirst(orders: BridgeOrder[], run: number | undefined): BridgeOrde
 /** A report in the log. */
 type Made = SeatEvent & { left: boolean };
 
-/** Whether its repeat asks for the figure first. */
-const isRepeatedWithFigure = ({ code, value }: BridgeOrder): boolean =>
-  orderUnit(code) !== undefined && !(value === 0 && orderMayBeBare(code));
-
 const isToRepeat = (order: BridgeOrder): boolean => isOpen(order) && !isQuestion(order);
 
 export class Orders {
@@ -37,14 +33,16 @@ export class Orders {
   private heard = 0; // number of the newest that was announced
   private reports: Made[] = []; // by which questions are answered
   private readonly before = new Before();
+  private readonly back: RepeatBack;
 
   /** answer: offers what answers a question; tell: for what became of a repeat. */
   constructor(
     private readonly link: Connection,
-    private readonly popover: Popover,
+    popover: Popover,
     private readonly answer: (question: BridgeOrder, from: HTMLElement) => void,
     private readonly tell: (text: string) => void,
   ) {
+    this.back = new RepeatBack(link, popover, tell);
     this.element = h(
       "div",
       { class: "orders", tabindex: 0, role: "group", "aria-label": t("orders") },
@@ -117,18 +115,7 @@ export class Orders {
     const waits = asked && !answered && !before && this.orders()[0]?.number === order.number;
     const newest = waits ? t("answer by a report") : repeatState(order, this.orders());
     const stands = open || (!before && isInForce(order, this.orders(), reports));
-    const button: HTMLButtonElement | false =
-      open &&
-      h(
-        "button",
-        {
-          class: "primary",
-          "aria-haspopup": isRepeatedWithFigure(order) && "dialog",
-          "aria-label": t("repeat back: {order}", { order: written(order) }),
-        },
-        t("Repeat"),
-      );
-    if (button) button.addEventListener("click", () => this.ask(order, button));
+    const button = open && this.back.button(order);
     const answers: HTMLButtonElement | false =
       waits &&
       h(
@@ -149,37 +136,5 @@ export class Orders {
       h("span", { class: "quiet" }, answered ? t("answered") : before || newest),
       button || answers,
     );
-  }
-
-  /** At one touch where the order has no figure; else the trainee says the figure. */
-  private ask(order: BridgeOrder, button: HTMLButtonElement): void {
-    const unit = orderUnit(order.code);
-    if (!unit || !isRepeatedWithFigure(order)) {
-      this.repeat(order, 0);
-      return;
-    }
-    const many = translated(unit.many);
-    const label = t("{units} ordered", { units: many });
-    const pad =
-      unit.one === "metre"
-        ? figureField(label, unitWritten(unit), (value) => this.repeat(order, value))
-        : figurePad(label, (value) => this.repeat(order, value));
-    this.popover.show(t("repeat back: how many {units}?", { units: many }), button, pad);
-  }
-
-  private repeat(order: BridgeOrder, value: number): void {
-    this.popover.close();
-    this.link
-      .order("Report", {
-        code: "REPORT_ORDER_REPEATED",
-        order_number: order.number,
-        order_code: BridgeOrderCode[order.code],
-        side: order.side,
-        value,
-        text: order.code === BridgeOrderCode.BRIDGE_ORDER_TEXT ? order.text : "",
-      })
-      .catch((why: unknown) =>
-        this.tell(why instanceof Refused ? t("not repeated: {why}", { why: why.message }) : `${why}`),
-      );
   }
 }

@@ -7,7 +7,7 @@ import { h, setAttribute, setText, svg } from "../kit/dom";
 import { reportsOf } from "../kit/order_done";
 import { written } from "../kit/orders";
 import { type PadLeaf, allSaid, capital, orderRows, padLeaves, placeOf, reportRows, saidOf } from "../kit/words";
-import { figurePad } from "./pad";
+import { figurePad } from "../kit/pad";
 import { Popover } from "../kit/popover";
 import { TypedCount, kMostWords } from "../kit/typed_count";
 import type { Work } from "./work";

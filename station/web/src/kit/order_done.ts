@@ -3,7 +3,7 @@
 // of the others.
 
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState, ReportCode, type SeatEvent } from "../wire/generated";
-import { isQuestion } from "./orders";
+import { isOpen, isQuestion } from "./orders";
 import { allSaid, bareReport, figureText, orderRows, reportRows, reportText, spoken } from "./words";
 
 const O = BridgeOrderCode;
@@ -133,3 +133,20 @@ export function isInForce(order: Order, all: readonly Order[], log: readonly Rep
     other.number > order.number && isOf(other.side, order.side) && !isQuestion(other);
   return reportsOf[order.code] !== undefined || !all.some(next);
 }
+
+/**
+ * The newest order that waits for a word of the forecastle's: to be repeated back or, a question that is the newest of
+ * all, to be answered. orders: of a run, by their numbers; log: lines that count; isOfBefore: of questions that were
+ * asked before the exercise was gone on with here.
+ */
+export const waitsForWord = (
+  orders: readonly BridgeOrder[],
+  log: readonly ReportLine[],
+  isOfBefore: (question: BridgeOrder) => boolean,
+): BridgeOrder | undefined =>
+  [...orders]
+    .reverse()
+    .find(
+      (order, place) =>
+        isOpen(order) && (!isQuestion(order) || (place === 0 && !isOfBefore(order) && !isAnswered(order, log))),
+    );

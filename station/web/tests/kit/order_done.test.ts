@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { type ReportLine, canBeCancelled, isAnswered, isInForce } from "../../src/kit/order_done";
+import { type ReportLine, canBeCancelled, isAnswered, isInForce, waitsForWord } from "../../src/kit/order_done";
 import { bareReport, orderText, reportText } from "../../src/kit/words";
 import {
   type BridgeOrder,
@@ -116,4 +116,27 @@ test("in force is what is still to be done or answered, and of orders that no re
   assert.deepEqual(inForce([standBy, clear, letGo, asked], []), [3, 4], "a question takes no order's place");
   assert.deepEqual(inForce([letGo, asked], [made(41, R.REPORT_GROWING, { growing: Growing.GROWING_TIGHT })]), [3]);
   assert.deepEqual(inForce([letGo, asked], [made(31, R.REPORT_LET_GO)]), [4]);
+});
+
+// The bridge's page of who has both seats shows this one.
+test("what waits for a word is the newest order that nobody has repeated, or a question that was asked last", () => {
+  const { ORDER_GIVEN: given, ORDER_NOT_REPEATED: late, ORDER_CANCELLED: cancelled } = BridgeOrderState;
+  const never = (): boolean => false;
+  const waits = (orders: BridgeOrder[], log: ReportLine[] = [], before = never): number | undefined =>
+    waitsForWord(orders, log, before)?.number;
+  const heave = order(1, O.BRIDGE_ORDER_HEAVE);
+  const stop = order(2, O.BRIDGE_ORDER_STOP_HEAVING, { state: late });
+  const again = order(3, O.BRIDGE_ORDER_STOP_HEAVING, { state: given });
+  assert.equal(waits([heave]), undefined);
+  assert.equal(waits([heave, stop]), 2);
+  assert.equal(waits([heave, stop, again]), 3);
+  assert.equal(waits([heave, stop, { ...again, state: cancelled }]), 2);
+  const asked = order(4, O.BRIDGE_ORDER_HOW_LEADING, { state: given });
+  assert.equal(waits([heave, asked]), 4);
+  assert.equal(waits([heave, asked], [made(41, R.REPORT_LEAD, { lead: 3 })]), undefined);
+  assert.equal(
+    waits([heave, asked], [], () => true),
+    undefined,
+  );
+  assert.equal(waits([asked, order(5, O.BRIDGE_ORDER_HEAVE)]), undefined, "the bridge went on without it");
 });

@@ -1,7 +1,7 @@
 // A pad of figures: one touch says it. For what the trainee has counted himself.
 
-import { h, setAttribute } from "../kit/dom";
-import { t, typedFigure, writtenFigure } from "../kit/language";
+import { h, setAttribute } from "./dom";
+import { t, typedFigure, writtenFigure } from "./language";
 
 const kMost = 12; // shackles
 
