@@ -13,7 +13,7 @@ string(JSON enumerations GET "${words}" enumerations)
 set(kEnums BridgeOrderCode ReportCode FaultCode CriterionKind CriterionState DeckWork DeckHindrance)
 # Those that have more than a name and a word.
 set(kBridgeOrderCode Order "name=const said said_bare unit:Unit repeat execute")
-set(kReportCode Report "name=const said unit:Unit mark_at:MarkAt event early full half full_off half_off")
+set(kReportCode Report "name=const said label unit:Unit mark_at:MarkAt event early full half full_off half_off")
 set(kFaultCode Fault "name=const said symptom reason way_out severity targets forecastle bridge both_sides")
 set(kEvent Event "name=const severity:Severity said forecastle:Notice bridge:Notice value seat_said seat_code moment")
 set(kAlert Alert "name=code priority:Priority said explanation deck bridge")

@@ -35,7 +35,7 @@ struct Order {
 };
 
 struct Report {
-    std::string_view name, said;
+    std::string_view name, said, label = {}; ///< label: of its button
     Unit unit = Unit::none;
     MarkAt mark_at = MarkAt::none;
     std::string_view event = {};

@@ -96,6 +96,38 @@ bool answers(const BridgeOrderGiven& order, ReportCode report) {
     }
 }
 
+/// The report for which the bridge calls, of those that tell that an order is carried out; nothing: the order
+/// is a question, or to a length, for which it asks, or no report tells it.
+std::optional<ReportCode> called_for(BridgeOrderCode order) {
+    switch (order) {
+    case BridgeOrderCode::stand_by:
+    case BridgeOrderCode::clear_away:
+        return ReportCode::standing_by;
+    case BridgeOrderCode::gear_in:
+    case BridgeOrderCode::walk_out:
+        return ReportCode::anchor_ready;
+    case BridgeOrderCode::let_go:
+        return ReportCode::let_go;
+    case BridgeOrderCode::heave:
+        return ReportCode::heaving;
+    case BridgeOrderCode::secure:
+        return ReportCode::secured;
+    case BridgeOrderCode::buoy_cable:
+        return ReportCode::ready_to_slip;
+    case BridgeOrderCode::slip:
+        return ReportCode::slipped;
+    case BridgeOrderCode::clear_anchor:
+        return ReportCode::clear_anchor;
+    default:
+        return std::nullopt;
+    }
+}
+
+/// As its button is called: "ready".
+std::string label_of(ReportCode report) {
+    return '"' + std::string(words::row_of(report).label) + '"';
+}
+
 /// The question of its own that it asked last, which is one.
 BridgeOrderGiven asked_last(const State& state) {
     return {.code = static_cast<BridgeOrderCode>(state.question)};
@@ -410,7 +442,14 @@ private:
         if (men_work() || !passed(std::max(course.given, course.do_by), kWaitsAnswer) ||
             !passed(last_word(), kWaitsAnswer))
             return true;
-        return of_length(given) ? ask(BridgeOrderCode::how_much, given.side) : again(k, "I say again");
+        return of_length(given) ? ask(BridgeOrderCode::how_much, given.side) : again(k, calls_for(given));
+    }
+
+    /// An order once more that was repeated back, and nobody has said since that it is carried out: with the
+    /// report by which to say so.
+    static std::string calls_for(const BridgeOrderGiven& given) {
+        const auto report = called_for(given.code);
+        return report ? "I say again; report " + label_of(*report) + " when it is so" : "I say again";
     }
 
     /// Whether men forward are at what they were set to. The bridge sees them, and that is as good as a word:
@@ -458,7 +497,7 @@ private:
         return true;
     }
 
-    bool again(std::size_t k, const char* words) {
+    bool again(std::size_t k, const std::string& words) {
         BridgeOrderGiven given = lesson_.orders[k].given;
         if (!heard(given)) return true;
         if (!patient()) return false;
@@ -608,6 +647,9 @@ std::string gave_up_words(const Lesson& lesson, const State& state) {
     const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;
     const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
     const std::string words = exercise::order_words(given.code, given.side, given.value);
+    const auto report = called_for(given.code);
+    if (report && course.repeated >= 0 && course.answered < 0)
+        return "the bridge heard no " + label_of(*report) + " after \"" + words + '"';
     const char* what = was_misunderstood(lesson, state) ? "the bridge was repeated wrongly: \""
                        : course.answered >= 0           ? "the bridge heard no more after \""
                                                         : "the bridge had no answer to \"";

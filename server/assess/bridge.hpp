@@ -28,8 +28,10 @@ bool was_misunderstood(const Lesson& lesson, const State& state);
 /// Whether it gave up over a question of its own that was answered to the last, and not by what is so.
 bool was_told_falsely(const Lesson& lesson, const State& state);
 
-/// Why it gave up: "the bridge had no answer to \"pay out port cable to 3 shackles in the pipe\"". All begin
-/// with "the bridge ", by which debriefing and pages know them from "time is up".
+/// Why it gave up: "the bridge had no answer to \"pay out port cable to 3 shackles in the pipe\""; of an
+/// order that was repeated back, by the report that it waited for, "the bridge heard no \"ready\" after \"put
+/// port windlass in gear\"". All begin with "the bridge ", by which debriefing and pages know them from "time
+/// is up".
 std::string gave_up_words(const Lesson& lesson, const State& state);
 
 } // namespace windlass::assess

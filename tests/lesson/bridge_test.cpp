@@ -3,6 +3,7 @@
 #include "common/json_file.hpp"
 #include "server/assess/bridge.hpp"
 #include "tests/lesson/course.hpp"
+#include "words/words.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -127,6 +128,50 @@ TEST(Bridge, SaysThatItsLastCallIsTheLastAndHasMorePatienceWithAFirstWord) {
     const std::vector<std::pair<long, std::string>> second{
         {2, ""}, {12, "I say again"}, {22, "I say again"}, {32, last}, {62, "over"}};
     EXPECT_EQ(calls(true), second);
+}
+
+// "Put in gear" was repeated back, and she is in gear: how should he know that the bridge waits for a word?
+TEST(Bridge, CallsForTheReportThatItWaitsForAndSaysInTheEndThatItHeardNone) {
+    Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
+        {"id": "gear", "code": "gear_in", "when": {"time": 1}}, {"id": "heave", "code": "heave"}],
+      "criteria": [{"id": "o", "kind": "order", "orders": ["gear", "heave"]}], "end": {"time": 3000}})");
+    bridge.on(600);
+    ASSERT_EQ(bridge.said.size(), 4U);
+    EXPECT_EQ(bridge.said[0].text, "");
+    EXPECT_EQ(bridge.said[1].text, "I say again; report \"ready\" when it is so");
+    EXPECT_EQ(bridge.said[3].text.find(bridge.said[1].text + "; this is my last call"), 0U)
+        << bridge.said[3].text;
+    EXPECT_TRUE(bridge.now().finished);
+    EXPECT_EQ(bridge.now().abort, "the bridge heard no \"ready\" after \"put port windlass in gear\"");
+
+    Bridge other(kPayOut); // of a length it asks, and that says what it wants to hear
+    other.on(70);
+    ASSERT_GT(other.said.size(), 1U);
+    EXPECT_EQ(other.said[1].code, BridgeOrderCode::how_much);
+    EXPECT_EQ(other.said[1].text, "");
+}
+
+// What it calls for, it takes for an answer.
+TEST(Bridge, TakesTheReportThatItCallsForAsAnAnswer) {
+    for (const char* order :
+         {R"("stand_by")", R"("clear_away")", R"("walk_out", "value": 33)", R"("let_go")", R"("gear_in")",
+          R"("heave")", R"("secure")", R"("buoy_cable")", R"("slip")", R"("clear_anchor")"}) {
+        Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
+            {"id": "one", "when": {"time": 1}, "code": )" +
+                      std::string(order) + R"(}, {"id": "two", "code": "stand_clear"}],
+          "criteria": [{"id": "o", "kind": "order", "orders": ["one", "two"]}], "end": {"time": 9000}})");
+        for (int k = 0; k < 120 && bridge.said.size() < 2; ++k)
+            bridge.on(1);
+        ASSERT_EQ(bridge.said.size(), 2U) << order;
+        const std::string& text = bridge.said[1].text;
+        const std::size_t from = text.find('"') + 1;
+        const std::string label = text.substr(from, text.find('"', from) - from);
+        const auto report = std::ranges::find(words::kReportCode, label, &words::Report::label);
+        ASSERT_NE(report, words::kReportCode.end()) << text;
+        bridge.report(static_cast<ReportCode>(report - words::kReportCode.begin()));
+        bridge.on(1);
+        EXPECT_EQ(bridge.said.back().code, BridgeOrderCode::stand_clear) << text;
+    }
 }
 
 // Who has stopped before he is told to has nothing left to do, and may be at another work: at the anchor
@@ -540,7 +585,7 @@ TEST(Bridge, GivesUpOnHimWhoRefusesWhatIsSafe) {
         bridge.on(3);
     }
     EXPECT_TRUE(bridge.now().finished);
-    EXPECT_NE(bridge.now().abort.find("no answer to"), std::string::npos) << bridge.now().abort;
+    EXPECT_EQ(bridge.now().abort, "the bridge heard no \"heaving\" after \"heave up port anchor\"");
 }
 
 // He did as he was told and said nothing of it: of what words are to show, nothing is.

@@ -59,6 +59,25 @@ TEST(LessonFile, ThatMarksReadySaysInItsBriefingWhenToReportIt) {
     EXPECT_GT(found, 2);
 }
 
+// No report is called "in gear": who is to say it reads by which word.
+TEST(LessonFile, WhoseBridgeWaitsToHearThatSheIsInGearSaysByWhichWord) {
+    int found = 0;
+    for (const fs::path& file : lesson_files(kConfig / "exercises")) {
+        const json lesson = read_json(file).at("lesson");
+        if (!lesson.contains("patience")) continue; // a bridge that hears nothing
+        for (const json& order : lesson.value("orders", json::array()))
+            if (order.at("code") == "gear_in") {
+                ++found;
+                EXPECT_THAT(lesson.value("briefing", ""),
+                            testing::AnyOf(HasSubstr("report ready"), HasSubstr("are ready"),
+                                           HasSubstr("ready once"), HasSubstr("ready, too, once"),
+                                           HasSubstr("you stand by")))
+                    << file;
+            }
+    }
+    EXPECT_GT(found, 10);
+}
+
 TEST(LessonFile, EachMistakeIsToldWithItsPlaceAndARemedy) {
     const struct {
         const char* place; ///< where the value is put, or taken away (null)

@@ -44,6 +44,7 @@ export const endings: readonly string[] = [
   "ended before its lesson was done",
   'the bridge had no answer to "{order}"',
   'the bridge heard no more after "{order}"',
+  'the bridge heard no "{report}" after "{order}"',
   "the bridge heard nothing",
   'the bridge was repeated wrongly: "{order}"',
   'the bridge was told what is not so when it asked "{order}"',

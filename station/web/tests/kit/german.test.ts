@@ -89,6 +89,10 @@ void test("why a lesson ended, what the door refuses and what is to be practised
   assert.equal(endingSaid("time is up"), "die Zeit ist um");
   assert.equal(endingSaid("cable.lost"), "die ganze Kette ist ausgerauscht: Anker und Kette verloren");
   assert.equal(endingSaid('the bridge had no answer to "let go"'), "die Brücke bekam keine Antwort auf „let go“");
+  assert.equal(
+    endingSaid('the bridge heard no "ready" after "put port windlass in gear"'),
+    "die Brücke hörte kein „ready“ nach „put port windlass in gear“", // as button and order are called
+  );
   assert.equal(doorSaid("no class has this code today"), "diesen Code hat heute keine Klasse");
   assert.equal(doorSaid("ben sits here"), "hier sitzt ben");
   assert.equal(doorSaid("not done yet"), "noch nicht gemacht");

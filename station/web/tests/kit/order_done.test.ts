@@ -70,6 +70,9 @@ test("an order is carried out by the report that says so; of a length, by its ow
   assert.ok(!canBeCancelled(letGo, [letGo], [made(11, R.REPORT_LET_GO)]));
   const heave = order(1, O.BRIDGE_ORDER_HEAVE);
   assert.ok(canBeCancelled(heave, [heave], [made(11, R.REPORT_HEAVING)]), "it is still being done");
+  const gearIn = order(1, O.BRIDGE_ORDER_GEAR_IN);
+  assert.ok(isInForce(gearIn, [gearIn, order(2, O.BRIDGE_ORDER_STAND_CLEAR)], []));
+  assert.ok(isAnswered(gearIn, [made(11, R.REPORT_ANCHOR_READY)]), "no report is called that she is in gear");
 });
 
 test("walking out to metres is answered by any shackles, as to the server; heaving up, once the anchor is home", () => {
