@@ -27,7 +27,10 @@ constexpr double kWaitsRepeat = 5;  // s after a repeat should have come
 constexpr double kWaitsAnswer = 30; // s after an order should have been carried out, and since the last word
 constexpr double kWaitsTruth = 30;  // s after an answer to its question that is not so
 constexpr double kWaitsLonger = 30; // s for the repeat of an order where it waits longer
-constexpr const char* kLastCall = "this is my last call: if I have no correct answer I will abort";
+constexpr const char* kLastCall = "this is my last call, then I send another man forward";
+// To an answer that is not so: he is to look, and not to try figures.
+constexpr const char* kDoubts = "that does not agree with my reckoning; look again and report";
+constexpr const char* kSendsToLook = "I send a man forward to look";
 constexpr std::size_t kMostText = 256; // bytes of an order's text; of the IDL
 constexpr double kRenews = 8;          // s after it has heard that less was done than it ordered
 constexpr double kAsOrdered = 0.5;     // shackles, by which a reported length may differ from the ordered one
@@ -265,10 +268,11 @@ void has_its_answer(State& state) {
     state.misled_at = -1;
 }
 
-/// What it says when it asks: the last time also what comes of it where nothing is heard.
-std::string call_words(const std::string& words, const std::string& text, const State& state) {
+/// What it says when it asks. at_last: what it adds the last time, of what comes then.
+std::string call_words(const std::string& words, const char* at_last, const std::string& text,
+                       const State& state) {
     const std::string last =
-        state.asked < kMostAsked ? "" : (words.empty() ? "" : "; ") + std::string(kLastCall);
+        state.asked < kMostAsked ? "" : (words.empty() ? "" : "; ") + std::string(at_last);
     const std::string order = text.empty() ? "" : ": " + text;
     const bool fits = words.size() + last.size() + order.size() <= kMostText;
     return words + (fits ? last : "") + order;
@@ -491,7 +495,8 @@ private:
         BridgeOrderGiven given{.code = question, .side = side, .by = "bridge"};
         if (!heard(given)) return true;
         if (!patient()) return false;
-        given.text = call_words("", "", state_);
+        const bool doubts = state_.misled_at >= 0;
+        given.text = call_words(doubts ? kDoubts : "", doubts ? kSendsToLook : kLastCall, "", state_);
         state_.question = static_cast<int>(question);
         say(given);
         return true;
@@ -501,7 +506,7 @@ private:
         BridgeOrderGiven given = lesson_.orders[k].given;
         if (!heard(given)) return true;
         if (!patient()) return false;
-        given.text = call_words(words, given.text, state_);
+        given.text = call_words(words, kLastCall, given.text, state_);
         state_.orders[k].short_of = -1;
         state_.renewing = static_cast<int>(k);
         say(given);
@@ -552,7 +557,7 @@ void take_answer(const Heard& report, const Look& look) {
         for (int side = 0; side < 2; ++side)
             if (report.side < 0 || report.side == side)
                 state.told.at(static_cast<std::size_t>(side)) = in_the_pipe(report);
-    // What is not so is no answer: the bridge has it looked at, by its camera or by a man sent forward.
+    // What is not so is no answer: the bridge reckons by her place, depth and time, or has a man look.
     if (state.question >= 0 && answers(asked_last(state), report.code)) {
         if (!is_false(report, look)) {
             state.question = -1;

@@ -121,7 +121,7 @@ TEST(Bridge, SaysThatItsLastCallIsTheLastAndHasMorePatienceWithAFirstWord) {
         made.emplace_back(std::lround(bridge.seen().time), "over");
         return made;
     };
-    const std::string last = "I say again; this is my last call: if I have no correct answer I will abort";
+    const std::string last = "I say again; this is my last call, then I send another man forward";
     const std::vector<std::pair<long, std::string>> first{
         {1, ""}, {31, "I say again"}, {61, "I say again"}, {91, last}, {121, "over"}};
     EXPECT_EQ(calls(false), first);
@@ -406,6 +406,11 @@ TEST(Bridge, TakesWhatIsNotSoForNoAnswerAsksAgainSoonAndGivesUp) {
             if (at >= 0) foretold = at;
         }
         ASSERT_EQ(asked.size(), 3U) << says_it_every;
+        ASSERT_EQ(bridge.said.size(), 4U);
+        EXPECT_EQ(bridge.said[1].text, "");
+        const std::string doubts = "that does not agree with my reckoning; look again and report";
+        EXPECT_EQ(bridge.said[2].text, doubts);
+        EXPECT_EQ(bridge.said[3].text, doubts + "; I send a man forward to look");
         EXPECT_NEAR(asked[0], 241, 2);
         EXPECT_NEAR(asked[1] - asked[0], 31, 2);
         EXPECT_NEAR(asked[2] - asked[1], 31, 2);
@@ -461,6 +466,9 @@ TEST(Bridge, ThatHadNoAnswerInTheEndWasNotToldWhatIsNotSo) {
     bridge.report(ReportCode::shackles_in_pipe, 1);
     bridge.on(600);
     ASSERT_TRUE(bridge.now().finished);
+    ASSERT_EQ(bridge.said.size(), 4U);
+    EXPECT_EQ(bridge.said[2].text, "that does not agree with my reckoning; look again and report");
+    EXPECT_EQ(bridge.said[3].text, "this is my last call, then I send another man forward");
     EXPECT_EQ(bridge.now().abort, "the bridge had no answer to \"how much port cable is out?\"");
     EXPECT_FALSE(was_told_falsely(bridge.taught(), bridge.state()));
 }
