@@ -299,6 +299,22 @@ void end(const Lesson& lesson, State& state, int tick_rate, Ending ending) {
         close(lesson.criteria[k], state.marks[k], state, lesson, tick_rate);
 }
 
+/// Whether an end waits for what it hangs on, that something is secured, to be so as it was said: for as long
+/// as a word of it may be put right.
+bool may_be_made_so(const Condition& good, const Lesson& lesson, const State& state, int tick_rate) {
+    const auto just_said = [&](const Sign& sign) {
+        if (sign.kind != SignKind::order_answered) return false;
+        const auto k = static_cast<std::size_t>(sign.index);
+        const OrderCourse& course = state.orders[k];
+        return lesson.orders[k].given.code == exercise::BridgeOrderCode::secure && course.answered >= 0 &&
+               course.done < 0 && state.tick - course.answered < ticks(kRightAtOnce, tick_rate);
+    };
+    return std::ranges::any_of(good.signs, just_said) ||
+           std::ranges::any_of(good.either, [&](const Condition& one) {
+               return may_be_made_so(one, lesson, state, tick_rate);
+           });
+}
+
 void look_for_the_end(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate) {
     for (std::size_t k = 0; k < lesson.abort.size(); ++k) {
         const Accident& one = lesson.abort[k];
@@ -310,7 +326,8 @@ void look_for_the_end(const Lesson& lesson, State& state, const Snapshot& seen, 
         state.aborted_by = static_cast<int>(k);
         end(lesson, state, tick_rate, Ending::abort);
     }
-    if (lesson.good && holds(*lesson.good, lesson, state, seen, tick_rate))
+    if (lesson.good && holds(*lesson.good, lesson, state, seen, tick_rate) &&
+        !may_be_made_so(*lesson.good, lesson, state, tick_rate))
         end(lesson, state, tick_rate, Ending::good);
     if (lesson.time_limit > 0 && state.tick - state.begin >= ticks(lesson.time_limit, tick_rate))
         end(lesson, state, tick_rate, Ending::time);

@@ -223,8 +223,6 @@ void look_at_pending(const Criterion& criterion, Mark& mark, const Look& look) {
     mark.worst_tick = look.tick();
 }
 
-constexpr double kRightAtOnce = 15; // s, in which who says "secured" unasked makes it so or takes it back
-
 /// Whether a report is as true or false before it is asked for as it is then: who hears that an anchor is
 /// secured relies on it. What is stood by for hangs on the order.
 bool counts_unasked(const Criterion& criterion) {

@@ -7,6 +7,9 @@
 
 namespace windlass::assess {
 
+/// s, in which who says "secured" makes it so, or unasked takes it back.
+inline constexpr double kRightAtOnce = 15;
+
 /// What a criterion is looked at with.
 struct Look {
     const Lesson& lesson;

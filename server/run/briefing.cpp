@@ -41,6 +41,8 @@ std::vector<std::string> briefing_pieces(const assess::Lesson& lesson) {
                                               : "The bridge's orders come by themselves.");
     if (whole.find("shackle") != std::string::npos)
         whole += " Where no other place is said, shackles are counted in the pipe.";
+    if (whole.find("secure") != std::string::npos)
+        whole += " Secured is: brake hard on, stopper on, gear out.";
     if (lesson.practice)
         whole += " This attempt is for practice: you may be given a hint, and it is no test of competence.";
     return pieces_of(std::move(whole));

@@ -24,6 +24,13 @@ class Bridge : public Course {
 public:
     using Course::Course;
 
+    /// Brake hard on, stopper on, gear out.
+    void secure() {
+        windlass().brake_position = 1;
+        windlass().stopper_closed = true;
+        windlass().clutch = exercise::ClutchState::out;
+    }
+
     /// Runs on, each order put into the list as it is given.
     void on(double seconds, BridgeOrderState repeated = BridgeOrderState::repeated) {
         for (int k = 0; k < std::lround(seconds * kRate); ++k) {
@@ -228,11 +235,40 @@ TEST(Bridge, DoesNotOrderWhatIsReportedDone) {
     bridge.on(5);
     ASSERT_EQ(bridge.said.size(), 2U);
     EXPECT_EQ(bridge.said[1].code, BridgeOrderCode::secure);
+    bridge.secure();
+    bridge.on(2);
     bridge.report(ReportCode::secured);
     bridge.on(1);
     EXPECT_EQ(bridge.now().ending, Ending::good);
     EXPECT_EQ(bridge.now().orders.size(), 2U)
         << "three shackles were not ordered, and are nobody's to carry out";
+}
+
+// L30's end: who says "secured" with the gear still in, and takes it out then, has what she is to be left in.
+TEST(Bridge, WaitsForWhatIsSaidToBeSecuredBeforeTheLessonEndsAndNotForLong) {
+    const auto said_with_gear_in = [] {
+        Bridge bridge(
+            R"({"id": "T", "patience": 60, "orders": [{"id": "secure", "code": "secure", "when": {"time": 1}}],
+          "criteria": [{"id": "up", "kind": "final",
+            "that": {"brake_position": {"above": 0.95}, "stopper": "on", "clutch": "out"}}],
+          "end": {"good": {"answered": "secure", "since": 5}, "time": 3000}})");
+        bridge.secure();
+        bridge.windlass().clutch = exercise::ClutchState::in;
+        bridge.on(3);
+        bridge.report(ReportCode::secured);
+        bridge.on(10);
+        EXPECT_FALSE(bridge.now().finished);
+        return bridge;
+    };
+    Bridge soon = said_with_gear_in();
+    soon.windlass().clutch = exercise::ClutchState::out;
+    soon.on(2);
+    EXPECT_EQ(soon.now().ending, Ending::good);
+    EXPECT_EQ(soon.mark().milli, 1000) << soon.mark().reason;
+    Bridge never = said_with_gear_in();
+    never.on(6);
+    EXPECT_EQ(never.now().ending, Ending::good);
+    EXPECT_EQ(never.mark().milli, 0);
 }
 
 // Who says six as soon as he has let go is not asked for two, three, four and five, and has not done them.
@@ -539,6 +575,8 @@ TEST(Bridge, TakesBackWhatIsUnsafeAndOrdersWhatIsProposed) {
     EXPECT_EQ(bridge.said[1].cancels, 1);
     EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::secure);
     EXPECT_EQ(bridge.said[2].text, "wait for the engine") << "the lesson's own words for it";
+    bridge.secure();
+    bridge.on(2);
     bridge.report(ReportCode::secured);
     bridge.on(1);
     EXPECT_EQ(bridge.now().ending, Ending::good);

@@ -57,6 +57,13 @@ TEST(Briefing, SaysWhereItsShacklesAreCounted) {
               "shackles are counted in the pipe.");
 }
 
+TEST(Briefing, SaysWhatSecuredIs) {
+    EXPECT_EQ(
+        whole(briefing_pieces(lesson("Heave up, say when it is secured."))),
+        "Heave up, say when it is secured. The bridge's orders come by themselves. Secured is: brake hard "
+        "on, stopper on, gear out.");
+}
+
 class BriefingOfASession : public SessionTest {
 protected:
     static exercise::ExerciseDef def() {
