@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 
 namespace windlass::assess {
 
@@ -858,6 +859,45 @@ TEST(Bridge, ThatIsMannedSaysNothingByItself) {
     bridge.on(600);
     EXPECT_TRUE(bridge.said.empty());
     EXPECT_FALSE(bridge.now().finished);
+}
+
+// "Ready when it hangs", says its briefing: with the anchor in the pipe it is not, and two metres are no
+// walk.
+TEST(Bridge, OfL02HearsReadyOnceTheAnchorHangsAndStandingByOnceItIsClearedAway) {
+    const std::string text =
+        read_json(WINDLASS_CONFIG_DIR "/exercises/L02_lower_and_let_go.json").at("lesson").dump();
+    /// Whether the stopper is off as he says "standing by", and how much is out as he says "ready".
+    const auto played = [&](bool stopper_off, double cable_out) {
+        Bridge bridge(text);
+        exercise::AnchorView& anchor = bridge.seen().tackle[0].anchor;
+        anchor.height_above_bottom = 38;
+        bridge.windlass().brake_position = 1;
+        bridge.windlass().clutch = exercise::ClutchState::in;
+        bridge.windlass().stopper_closed = !stopper_off;
+        bridge.on(6);
+        bridge.report(ReportCode::standing_by);
+        bridge.on(7);
+        bridge.windlass().stopper_closed = false;
+        EXPECT_EQ(bridge.said.back().code, BridgeOrderCode::walk_out);
+        bridge.chain().cable_out = cable_out;
+        anchor.height_above_bottom = 43 - cable_out;
+        bridge.on(2);
+        bridge.report(ReportCode::anchor_ready);
+        bridge.on(6);
+        bridge.end();
+        std::map<std::string, CriterionResult> marks;
+        for (const CriterionResult& one : bridge.now().criteria)
+            marks[one.code] = one;
+        return marks;
+    };
+    auto right = played(true, 33);
+    EXPECT_EQ(right["stands-by"].milli, 1000) << right["stands-by"].reason;
+    EXPECT_EQ(right["ready"].milli, 1000) << right["ready"].reason;
+    EXPECT_EQ(right["walked"].milli, 1000) << right["walked"].reason;
+    auto in_the_pipe = played(false, 2);
+    EXPECT_EQ(in_the_pipe["stands-by"].milli, 0);
+    EXPECT_EQ(in_the_pipe["ready"].milli, 0);
+    EXPECT_EQ(in_the_pipe["walked"].state, CriterionState::not_in_play);
 }
 
 // With one pump of two she walks on at half her speed: that is a defect, and no loss of power.
