@@ -95,29 +95,37 @@ test("the desk's plots have a height to be read by, however many lines their bar
   await closePage(page);
 });
 
-test("an order that waits on the forecastle is in sight with its state and its button, at every size", async () => {
+test("an order that waits on the forecastle is in sight with its state and its button, a last call too, at every size", async () => {
   const page = await open("forecastle");
   const close = page.getByRole("button", { name: "Schließen" });
   await eventually("its briefing has opened by itself", () => close.isVisible());
   await close.click();
-  await rig.say("order", "hold-on", "6", "--side", "port");
   const order = page.locator(".orders li").first();
+  const isWhole = async () => {
+    for (const [width, height] of [...kSizes, [1280, 800], [1280, 720], [820, 1180]]) {
+      await page.setViewportSize({ width, height });
+      const hidden = await order.evaluate((row: HTMLElement) => {
+        const kSlack = 3; // px
+        const around = row.closest(".orders").getBoundingClientRect();
+        return [...row.children]
+          .filter((part) => {
+            const { left, right, bottom } = part.getBoundingClientRect();
+            const cut = part.scrollWidth > part.clientWidth + kSlack || part.scrollHeight > part.clientHeight + kSlack;
+            return cut || left < around.left || right > around.right || bottom > around.bottom + kSlack;
+          })
+          .map((part) => part.textContent);
+      });
+      assert.deepEqual(hidden, [], `${width}x${height}`);
+    }
+  };
+  await rig.say("order", "hold-on", "6", "--side", "port");
   await eventually("it waits", () => order.getByText("noch nicht wiederholt").isVisible());
-  for (const [width, height] of kSizes) {
-    await page.setViewportSize({ width, height });
-    const hidden = await order.evaluate((row: HTMLElement) => {
-      const kSlack = 3; // px
-      const around = row.closest(".orders").getBoundingClientRect();
-      return [...row.children]
-        .filter((part) => {
-          const { left, right, bottom } = part.getBoundingClientRect();
-          const cut = part.scrollWidth > part.clientWidth + kSlack || part.scrollHeight > part.clientHeight + kSlack;
-          return cut || left < around.left || right > around.right || bottom > around.bottom + kSlack;
-        })
-        .map((part) => part.textContent);
-    });
-    assert.deepEqual(hidden, [], `${width}x${height}`);
-  }
+  await isWhole();
+  const lastCall = "I say again; this is my last call: if I have no correct answer I will abort";
+  await rig.say("order", "pay-out", "3", "--side", "port", "--text", lastCall);
+  await eventually("it is called for the last time", () => order.getByText(lastCall).isVisible());
+  assert.ok(await order.getByRole("button").isVisible());
+  await isWhole();
   hadNoProblems(page);
   await closePage(page);
 });
