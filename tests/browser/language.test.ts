@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
 import german from "../../words/pages_de.json";
-import { closeBrowser, closePage, openPage } from "./browser";
+import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
 import { cutOff, hadNoProblems, heard, passesAxe, unreachable } from "./pages";
 import { Rig, eventually } from "./rig";
 
@@ -128,6 +128,53 @@ test("an order that waits on the forecastle is in sight with its state and its b
   await isWhole();
   hadNoProblems(page);
   await closePage(page);
+});
+
+/** Parts of the stand that lie beyond its edges, and words of its head that have no room. */
+const beyondTheStand = (page: TestPage) =>
+  page.locator(".stand").evaluate((stand) => {
+    const kSlack = 3; // px
+    const { left, right } = stand.getBoundingClientRect();
+    const isCut = (part: Element) =>
+      part.scrollWidth > part.clientWidth + kSlack || part.scrollHeight > part.clientHeight + kSlack;
+    return [...stand.querySelectorAll("*")]
+      .filter((part) => {
+        const box = part.getBoundingClientRect();
+        if (!part.checkVisibility() || box.width === 0) return false;
+        return box.left < left || box.right > right || (part.matches(".head button, .levers-of") && isCut(part));
+      })
+      .map((part) => `${part.tagName} ${part.getAttribute("class")} ${part.textContent}`);
+  });
+
+test("whoever has the levers, all of the stand lies within its panel", async () => {
+  for (const [mine, instructors, options] of [
+    ["bei mir", "Ausbilder hat übernommen", { locale: "de-DE" }],
+    ["mine", "instructor has taken over", { locale: "en-GB", hasTouch: true, isMobile: true }],
+  ] as const) {
+    const page = await openPage(urls.forecastle.replace("#", "?picture=off#"), options);
+    const close = page.getByRole("button", { name: /^(Schließen|Close)$/ });
+    await eventually("its briefing has opened by itself", () => close.isVisible());
+    await close.click();
+    const isWhole = async (whose: string) => {
+      await eventually(whose, async () => (await page.locator(".owner").textContent()) === whose);
+      for (const [width, height] of [...kSizes, [1280, 800]]) {
+        await page.setViewportSize({ width, height });
+        assert.deepEqual(await beyondTheStand(page), [], `${whose}, ${width}x${height}`);
+      }
+    };
+    const leave = page.getByRole("button", { name: /^(Abgeben|Leave them)$/ });
+    await page.keyboard.press("b");
+    await isWhole(mine);
+    assert.ok(await leave.isVisible());
+    const instructor = rig.console("levers", "--side", "port", "--brake", "1");
+    await isWhole(instructors);
+    assert.equal(await leave.isVisible(), false, "there is nothing to leave");
+    await instructor.stop("SIGINT");
+    await isWhole(mine);
+    await leave.click();
+    hadNoProblems(page);
+    await closePage(page);
+  }
 });
 
 test("the brake's wheel keeps size and place whatever is said of it", async () => {

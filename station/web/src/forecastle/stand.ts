@@ -142,7 +142,8 @@ export class Stand {
     const authority = this.hand.authority();
     setText(this.owner, view || authority.owner !== "nobody" ? ownerWords(authority) : t("waiting …"));
     setAttribute(this.element, "data-owner", authority.owner);
-    setShown(this.letGo, this.link.holds(this.side_));
+    // While the instructor has them there is nothing to leave, and his name takes the room.
+    setShown(this.letGo, this.link.holds(this.side_) && authority.owner !== "instructor");
     const waits = this.link.latest("ExerciseStatus")?.state === RunState.RUN_READY && this.link.holds(this.side_);
     if (waits) setText(this.notice, t("Not started yet: what you move now acts as it starts."));
     else if (now > this.noticeUntil) setText(this.notice, "");
