@@ -130,26 +130,39 @@ test("an order that waits on the forecastle is in sight with its state and its b
   await closePage(page);
 });
 
-/** Parts of the stand that lie beyond its edges, and words of its head that have no room. */
-const beyondTheStand = (page: TestPage) =>
-  page.locator(".stand").evaluate((stand) => {
+/**
+ * Parts of the stand that lie beyond its edges, and words of its head that have no room. men: what their button says,
+ * put there at once: between two pictures nobody writes over it.
+ */
+const beyondTheStand = (page: TestPage, men: string) =>
+  page.locator(".stand").evaluate((stand, men) => {
     const kSlack = 3; // px
+    const button = stand.querySelector(".head > button:last-child");
+    const before = button.textContent;
+    button.textContent = men;
     const { left, right } = stand.getBoundingClientRect();
     const isCut = (part: Element) =>
       part.scrollWidth > part.clientWidth + kSlack || part.scrollHeight > part.clientHeight + kSlack;
-    return [...stand.querySelectorAll("*")]
+    const beyond = [...stand.querySelectorAll("*")]
       .filter((part) => {
         const box = part.getBoundingClientRect();
         if (!part.checkVisibility() || box.width === 0) return false;
         return box.left < left || box.right > right || (part.matches(".head button, .levers-of") && isCut(part));
       })
       .map((part) => `${part.tagName} ${part.getAttribute("class")} ${part.textContent}`);
-  });
+    button.textContent = before;
+    return beyond;
+  }, men);
 
-test("whoever has the levers, all of the stand lies within its panel", async () => {
-  for (const [mine, instructors, options] of [
-    ["bei mir", "Ausbilder hat übernommen", { locale: "de-DE" }],
-    ["mine", "instructor has taken over", { locale: "en-GB", hasTouch: true, isMobile: true }],
+test("whoever has the levers, and whatever the men do, all of the stand lies within its panel", async () => {
+  for (const [mine, instructors, men, options] of [
+    ["bei mir", "Ausbilder hat übernommen", ["Leute: warten", "Leute: 20:00"], { locale: "de-DE" }],
+    [
+      "mine",
+      "instructor has taken over",
+      ["Men: done", "Men: 20:00"],
+      { locale: "en-GB", hasTouch: true, isMobile: true },
+    ],
   ] as const) {
     const page = await openPage(urls.forecastle.replace("#", "?picture=off#"), options);
     const close = page.getByRole("button", { name: /^(Schließen|Close)$/ });
@@ -159,7 +172,8 @@ test("whoever has the levers, all of the stand lies within its panel", async () 
       await eventually(whose, async () => (await page.locator(".owner").textContent()) === whose);
       for (const [width, height] of [...kSizes, [1280, 800]]) {
         await page.setViewportSize({ width, height });
-        assert.deepEqual(await beyondTheStand(page), [], `${whose}, ${width}x${height}`);
+        for (const words of men)
+          assert.deepEqual(await beyondTheStand(page, words), [], `${whose}, ${words}, ${width}x${height}`);
       }
     };
     const leave = page.getByRole("button", { name: /^(Abgeben|Leave them)$/ });
