@@ -450,6 +450,9 @@ describe("the bridge", () => {
     await button("n in water").click();
     await choice("3").click();
     await eventually("reported", () => log(/3 .*water/).isVisible());
+    await button("n in water").click();
+    await choice("1\u00bd").click(); // at one touch, as the wholes
+    await eventually("reported", () => log(/1\.5 .*water/).isVisible());
     await button("Lead").click();
     await choice("11 o'clock").click();
     await choice("Short stay").click();

@@ -6,7 +6,7 @@ import { showsTopic } from "../kit/live";
 import { canBeCancelled, isAnswered } from "../kit/order_done";
 import { isQuestion, orderMayBeBare, orderUnit } from "../kit/orders";
 import { TypedCount, kMostWords } from "../kit/typed_count";
-import { clock } from "../kit/units";
+import { clock, inHalves } from "../kit/units";
 import { capital, figureText, orderRows, orderText } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { BridgeOrderCode, BridgeOrderState } from "../wire/generated";
@@ -21,9 +21,6 @@ const kOrders = orderRows.flatMap(({ label }, code: BridgeOrderCode) =>
 const kinds = { order: t("order"), report: t("report"), notice: t("notice") };
 const kShackles = [0.5, 1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
 const kMetres = [1, 2, 3, 5, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80];
-
-/** "1½" for 1.5. */
-const half = (value: number): string => (value % 1 === 0 ? `${value}` : `${Math.floor(value) || ""}\u00bd`);
 
 export class OrderPanel {
   readonly element: HTMLElement;
@@ -147,7 +144,7 @@ export class OrderPanel {
     this.pad.replaceChildren(
       h("p", {}, `${text} \u2026 ${unit.written}`),
       ...(orderMayBeBare(code) ? [choice(0, t("now"))] : []),
-      ...(unit.one === "metre" ? kMetres : kShackles).map((value) => choice(value, half(value))),
+      ...(unit.one === "metre" ? kMetres : kShackles).map((value) => choice(value, inHalves(value))),
     );
     (this.pad.querySelector("button") as HTMLElement).focus();
     this.pad.scrollIntoView({ block: "nearest" }); // all of it, and not its first row alone

@@ -1,22 +1,19 @@
 // A pad of figures: one touch says it. For what the trainee has counted himself.
 
-import { h, setAttribute } from "./dom";
+import { h } from "./dom";
+import { inHalves } from "./units";
 import { t, typedFigure, writtenFigure } from "./language";
 
 const kMost = 12; // shackles
 
-/** 0 to 12, with a half before the touch where halves are wanted; chosen is called with the figure. */
+/** What the pad has a key for: 0, a half, 1 and so on, as near as cable is counted between two marks. */
+export const padFigures: readonly number[] = Array.from({ length: 2 * kMost + 1 }, (_, halves) => halves / 2);
+
+/** A key says at one touch what stands on it; chosen is called with the figure. */
 export function figurePad(label: string, chosen: (value: number) => void): HTMLElement {
-  let half = 0;
-  const halfButton = h("button", { "aria-pressed": "false", title: t("and a half") }, "+ \u00bd");
-  const keys: HTMLButtonElement[] = [];
-  for (let n = 0; n <= kMost; ++n) keys.push(h("button", { onclick: () => chosen(n + half) }, n));
-  halfButton.addEventListener("click", () => {
-    half = half ? 0 : 0.5;
-    setAttribute(halfButton, "aria-pressed", `${half > 0}`);
-    keys.forEach((key, n) => (key.textContent = half ? `${n || ""}\u00bd` : `${n}`));
-  });
-  return h("div", { class: "pad", role: "group", "aria-label": label }, ...keys, halfButton);
+  const key = (value: number): HTMLElement =>
+    h("button", { class: value % 1 ? "" : "whole", onclick: () => chosen(value) }, inHalves(value));
+  return h("div", { class: "pad", role: "group", "aria-label": label }, ...padFigures.map(key));
 }
 
 /** A figure of any size, typed or tapped; chosen is called with it. unit: beside the field. */

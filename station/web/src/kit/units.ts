@@ -55,6 +55,9 @@ export function figure(value: number, decimals = 0): string {
   return writtenFigure((Number(text) === 0 ? text.replace("-", "") : text).replace("-", "\u2212"));
 }
 
+/** "1½" for 1.5, "½" for 0.5, "2" for 2. */
+export const inHalves = (value: number): string => (value % 1 === 0 ? `${value}` : `${Math.floor(value) || ""}\u00bd`);
+
 /** m of cable in shackles, two decimals at most, as the judge tells them (shackles_figure of common/): "6.97", "4". */
 export function shacklesFigure(length: number): string {
   const hundredths = Number(shackles(length).toFixed(2));

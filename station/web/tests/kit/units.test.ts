@@ -26,6 +26,10 @@ test("shackles have two decimals at most and no minus before a zero, a lead is t
   assert.equal(units.clockHour(NaN), "-");
 });
 
+test("a half is written as one", () => {
+  assert.deepEqual([0, 0.5, 1, 1.5, 12].map(units.inHalves), ["0", "\u00bd", "1", "1\u00bd", "12"]);
+});
+
 test("a bearing has three figures, and 360 is 000", () => {
   const of = (angle: number): string => units.bearing(units.radians(angle));
   assert.deepEqual([7, 359.6, 360, -10, 725].map(of), ["007", "000", "000", "350", "005"]);
