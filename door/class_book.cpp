@@ -128,6 +128,7 @@ ClassBook::ClassBook(const json& kept) {
                                       .points = number_or_none(result.at("points")),
                                       .outcome = result.at("outcome"),
                                       .lost = number_or_none(result.value("lost", json())),
+                                      .pass = number_or_none(result.value("pass", json())),
                                       .abort = result.value("abort", std::string()),
                                       .in_history = result.value("in_history", false),
                                       .time = result.value("time", 0.0),
@@ -171,15 +172,11 @@ json ClassBook::to_json() const {
             places[name] = name_of(place);
         json results = json::object();
         for (const auto& [exercise, result] : each.results)
-            results[exercise] = {{"recording", result.recording},
-                                 {"points", or_null(result.points)},
-                                 {"lost", or_null(result.lost)},
-                                 {"outcome", result.outcome},
-                                 {"abort", result.abort},
-                                 {"in_history", result.in_history},
-                                 {"time", result.time},
-                                 {"began", or_null(result.began)},
-                                 {"marked", or_null(result.marked)}};
+            results[exercise] = {{"recording", result.recording},   {"points", or_null(result.points)},
+                                 {"lost", or_null(result.lost)},    {"pass", or_null(result.pass)},
+                                 {"outcome", result.outcome},       {"abort", result.abort},
+                                 {"in_history", result.in_history}, {"time", result.time},
+                                 {"began", or_null(result.began)},  {"marked", or_null(result.marked)}};
         list.push_back({{"id", each.id},
                         {"lesson", each.lesson},
                         {"practice", each.practice},

@@ -46,6 +46,7 @@ struct Result {
     std::string outcome =
         {}; ///< Assessment's: achieved, not_yet, not_shown, or practice; empty: not marked to the end
     std::optional<double> lost = {}; ///< 0..100, while points are of what is decided so far
+    std::optional<double> pass = {}; ///< 0..100, that the lesson needs; nothing: it is not marked
     std::string abort = {};  ///< why the lesson ended before it was done; empty: it did not, or by a hand
     bool in_history = false; ///< the attempt that this recording has
     double time = 0;         ///< s of exercise, as it was heard last

@@ -105,6 +105,7 @@ Result ClassRuns::result(const std::string& exercise) const {
                 result.points = heard.score();
             else if (const auto marks = marks_so_far(heard))
                 result.points = marks->points, result.lost = marks->lost;
+            result.pass = heard.pass();
             result.outcome = heard.finished() && heard.practice() ? "practice" : heard.outcome().to_string();
             // That somebody ended it, or its class, who looks at the class has seen or done.
             result.abort = heard.ending() == LESSON_ENDED_EARLY ? std::string() : heard.abort().to_string();

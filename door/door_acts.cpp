@@ -592,6 +592,7 @@ json DoorHost::class_told(const TrainingClass& told) {
                   {"abort", result.abort},
                   {"points", result.points ? json(*result.points) : json()},
                   {"lost", result.lost ? json(*result.lost) : json()},
+                  {"pass", result.pass ? json(*result.pass) : json()},
                   {"outcome", result.outcome},
                   {"trouble", runs_.trouble(exercise)}};
         const auto asking = runs_.asking(exercise);

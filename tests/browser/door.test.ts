@@ -435,6 +435,15 @@ test("an assessor looks at the replay that is shown, and seeks in it; an observe
       new RegExp(`^assessor: .*${note}`, "i").test(await owner.locator(".class-marks .word p").first().textContent()),
     );
   }
+  await word.locator("summary").click();
+  await word.getByRole("combobox", { name: "Outcome" }).selectOption("achieved");
+  await word.getByRole("spinbutton", { name: /^Points/ }).fill("40");
+  await word.getByRole("textbox", { name: /^Why/ }).fill("she was hailed meanwhile");
+  await on(assessor, "Set").first().click();
+  await word.getByText("40.0 points are below the 70 that the lesson needs.").waitFor();
+  assert.match(await word.locator("p").first().textContent(), /the counter had failed with it$/i, "it is asked first");
+  await on(assessor, "Set").first().click();
+  await word.getByText(/40\.0 points, achieved\. She was hailed meanwhile$/).waitFor();
   await assessor.goto(new URL(`/replay?recording=${recording}&t=5`, door.url).href); // as a debriefing's time does
   await assessor.waitForURL(/\/instructor\?exercise=replay-/);
   const place = () => assessor.locator(".replay-bar .place").textContent();

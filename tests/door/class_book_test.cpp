@@ -188,11 +188,13 @@ TEST_F(Booked, WhoSatWhereAndWhatCameOfItOutlivesTheClass) {
     EXPECT_FALSE(book_.note("mon", "mon-1", {"mon-1-17", 72, ""})) << "points come again by themselves";
     book_.end("mon");
     EXPECT_TRUE(book_.note("mon", "mon-1", {"mon-1-17", 74, "achieved"})) << "marked as it was ended";
-    book_.note("mon", "mon-1",
-               {.recording = "mon-1-17", .points = 74, .outcome = "achieved", .abort = "time is up"});
+    book_.note(
+        "mon", "mon-1",
+        {.recording = "mon-1-17", .points = 74, .outcome = "achieved", .pass = 70, .abort = "time is up"});
     const ClassBook again(book_.to_json());
     ASSERT_NE(again.find("mon"), nullptr);
     EXPECT_EQ(again.find("mon")->results.at("mon-1").abort, "time is up");
+    EXPECT_EQ(again.find("mon")->results.at("mon-1").pass, 70);
     EXPECT_EQ(again.find("mon")->find("anna")->exercise, "mon-1");
     EXPECT_EQ(again.find("mon")->results.at("mon-1").outcome, "achieved");
     EXPECT_FALSE(again.seated("")) << "a browser without a cookie sits nowhere";

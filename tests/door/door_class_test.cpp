@@ -167,6 +167,8 @@ TEST_F(Class, OnAnAttemptAnAssessorHasAWordOnceTheHistoryHasIt) {
     EXPECT_EQ(observer.post("/door/word", word).status, 403) << "who only looks on";
     EXPECT_EQ(ben.post("/door/word", word).status, 401) << "his class is over";
     EXPECT_EQ(class_told("mon")["words"], 0);
+    EXPECT_EQ(class_told("mon")["exercises"][0]["pass"], 70)
+        << "by which a page asks about 40 points, achieved";
     EXPECT_EQ(assessor.post("/door/word", word).status, 200);
     EXPECT_EQ(class_told("mon")["words"], 1) << "by which other pages look again";
     const nlohmann::json told = next()["words"];

@@ -181,6 +181,8 @@ export interface ClassExercise {
   points: number | null;
   /** The same, while points are of what is decided so far; null: it is marked to the end, or not at all. */
   lost: number | null;
+  /** 0..100, that its lesson needs; null: it is not marked. */
+  pass: number | null;
   /** achieved, not_yet, not_shown; empty: not marked to the end. */
   outcome: string;
   /** What the lesson's bridge waits for in vain; null: it waits for no answer. */

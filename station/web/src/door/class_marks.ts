@@ -152,18 +152,30 @@ export function wordSaid({ by, points, outcome, note }: Word): string {
   return [`${by}: ${marks}`, capital(note)].filter(Boolean).join(". ");
 }
 
+/** What is asked before an attempt is called achieved with fewer points than its lesson needs; empty: nothing. */
+export function doubtOf(outcome: string, points: number | null, pass: number | null): string {
+  if (outcome !== "achieved" || points === null || pass === null || points >= pass) return "";
+  return t("{points} points are below the {pass} that the lesson needs. Once more, if it is achieved all the same.", {
+    points: pointsFigure(points),
+    pass,
+  });
+}
+
 const kNoteMin = 10; // characters, as the history asks for
 
 /** The assessor's word on an attempt, and the way to give one. */
 class WordOn {
   readonly element = h("div", { class: "word", hidden: true });
   private readonly said = h("p", { class: "quiet", role: "status" });
+  private points: number | null; // as they stand
+  private asked = ""; // what was asked last; whoever sets the same again means it
 
   /** judges: who looks at it may give one. */
   constructor(
     private readonly of: ClassExercise,
     judges: boolean,
   ) {
+    this.points = of.points;
     this.element.append(this.said);
     if (judges && of.outcome !== "practice") this.element.append(this.form()); // that shows no competence
   }
@@ -172,6 +184,7 @@ class WordOn {
   take({ words }: Words): void {
     const word = words.find(({ recording }) => recording === this.of.recording);
     setText(this.said, word ? wordSaid(word) : "");
+    this.points = word?.points ?? this.of.points;
     this.element.hidden = false;
   }
 
@@ -198,20 +211,25 @@ class WordOn {
           typed.element,
         ],
         async () => {
-          this.take(
-            await act<Words>("word", {
-              recording: this.of.recording,
-              outcome: outcome.value,
-              points: points.value === "" ? null : points.valueAsNumber,
-              note: note.value.trim(),
-            }),
-          );
+          const given = points.value === "" ? null : points.valueAsNumber;
+          this.askOnce(doubtOf(outcome.value, given ?? this.points, this.of.pass));
+          const recording = this.of.recording;
+          const word = { recording, outcome: outcome.value, points: given, note: note.value.trim() };
+          this.take(await act<Words>("word", word));
+          this.asked = "";
           typed.clear();
           details.open = false;
         },
       ),
     );
     return details;
+  }
+
+  /** The form says what is thrown. */
+  private askOnce(doubt: string): void {
+    if (doubt === this.asked) return;
+    this.asked = doubt;
+    if (doubt) throw new Error(doubt);
   }
 }
 

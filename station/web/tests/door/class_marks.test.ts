@@ -7,6 +7,7 @@ import type { ClassExercise, From, Next, Part, PlaceName, TrainingClass } from "
 import {
   afterSaid,
   allAgain,
+  doubtOf,
   marksOf,
   placesBeside,
   whyFrom,
@@ -104,6 +105,15 @@ test("an assessor's word stands with who gave it, and without points where nothi
     wordSaid({ ...word, note: "the load cell had failed" }),
     "bo: 80.0 points, not yet. The load cell had failed",
   );
+});
+
+test("whoever calls an attempt achieved with fewer points than its lesson needs is asked", () => {
+  assert.match(doubtOf("achieved", 40, 70), /^40\.0 points are below the 70 that the lesson needs\./);
+  assert.match(doubtOf("achieved", 69.96, 70), /^69\.9 points/);
+  assert.equal(doubtOf("achieved", 70, 70), "");
+  assert.equal(doubtOf("not_yet", 40, 70), "");
+  assert.equal(doubtOf("achieved", null, 70), "", "nothing was assessed");
+  assert.equal(doubtOf("achieved", 40, null), "", "of a class before the door knew");
 });
 
 test("why something is to be practised is parted into our words and the lesson's objectives", () => {
