@@ -71,6 +71,8 @@ test("a class is opened, and its code shown", async () => {
   await owner.locator("input[type=number]").fill("2");
   await owner.locator("select").last().selectOption("2");
   await look(owner, "class_new");
+  const paddingOf = (field: Element) => parseFloat(getComputedStyle(field).paddingTop);
+  assert.ok((await owner.locator("input[type=file]").evaluate(paddingOf)) >= 4, "its button is off the box's edge");
   await passesAxe(owner);
   await on(owner, "Open the class").click();
   code = (await owner.locator(".code-panel .letters").textContent()).replace(/ /g, "");
@@ -353,10 +355,15 @@ test("with the class its seats end, and each seat's marks and debriefing are the
   await debriefing.locator('a[href^="/replay?"]').first().click();
   await eventually("its times open the replay", () => debriefing.url().includes("/instructor?exercise=replay-"));
   replay = debriefing.url();
+  const itsClass = (await row.getAttribute("data-exercise")).replace(/-\d+$/, ""); // "mon" of "mon-1"
   await row.getByRole("button", { name: /^Again from \d+:\d\d$/ }).click();
   await eventually("a class for her and who sat beside her, from there", async () =>
-    /For .*carla.* alone.*; from \d+:\d\d of .*, .*went wrong.*/.test(await owner.locator("form").textContent()),
+    new RegExp(`For .*carla.* alone.*; from \\d+:\\d\\d of ${itsClass}-\\d+, .*went wrong.*`).test(
+      await owner.locator("form").textContent(),
+    ),
   );
+  const proposed = await owner.getByRole("textbox", { name: "Name of the class" }).inputValue();
+  assert.equal(proposed, `${itsClass}-again`);
   await look(owner, "class_again");
   assert.ok(await owner.getByLabel("for practice, with hints").isDisabled(), "it is no test");
   await owner.getByRole("textbox", { name: "Name of the class" }).fill("again");

@@ -15,6 +15,10 @@ export function thrustWords(share: number): string {
   return percent === 0 ? t("stop") : `${sideWord(percent > 0 ? 1 : 0)} ${figure(Math.abs(percent))} %`;
 }
 
+/** What it does: "does port 40 %", "at rest". */
+export const doesWords = (share: number): string =>
+  Math.round(100 * share) === 0 ? t("at rest") : t("does {thrust}", { thrust: thrustWords(share) });
+
 export class Thruster {
   readonly element: HTMLElement;
   private readonly picture: SVGSVGElement;
@@ -87,7 +91,7 @@ export class Thruster {
     setAttribute(this.picture, "aria-disabled", this.helm.movable() ? undefined : "true");
     const order = this.helm.levers()?.[this.lever];
     if (order === undefined) return;
-    const does = thrust === undefined ? "" : t("does {thrust}", { thrust: thrustWords(thrust) });
+    const does = thrust === undefined ? "" : doesWords(thrust);
     setAttribute(this.handle, "transform", `translate(${(order * kHalf).toFixed(1)} 0)`);
     setAttribute(this.picture, "aria-valuenow", (100 * order).toFixed(0));
     setAttribute(this.picture, "aria-valuetext", `${t("ordered {order}", { order: thrustWords(order) })}, ${does}`);

@@ -100,6 +100,8 @@ export interface From {
 
 /** A class that goes on from there, each where he sat. */
 export interface Again extends From {
+  /** Of the class before, whose recording that is. */
+  exercise: string;
   crew: number;
   places: Record<string, PlaceName>;
 }

@@ -62,11 +62,17 @@ function whyBefore(before: From["before"], its: { seconds: string; lost: string;
   }
 }
 
+/** What a class is made of that goes on from there: of whom beside him, and what the exercise was called. */
+export function momentOf(name: string, from: From, it: TrainingClass): Again {
+  const exercise = it.exercises.find(({ recording }) => recording === from.recording)?.exercise ?? from.recording;
+  return { ...from, exercise, crew: it.crew, places: placesBeside(name, it) };
+}
+
 /** Begins a class of him and whoever sat beside him, each where he sat, some seconds before what lost it. */
 const againFrom = (one: Next, from: From, it: TrainingClass, open: Open): Node[] => [
   h(
     "button",
-    { onclick: () => open([one], { ...from, crew: it.crew, places: placesBeside(one.name, it) }) },
+    { onclick: () => open([one], momentOf(one.name, from, it)) },
     t("Again from {time}", { time: clock(from.time) }),
   ),
   h("span", { class: "quiet" }, whyFrom(from)),

@@ -166,7 +166,7 @@ class ClassPage {
     const tabs = this.known.classes.map(({ id, over }) => [id, over]);
     this.fill(this.tabs, [tabs, this.chosen], () => this.tabsNow());
     const it = this.known.classes.find(({ id }) => id === this.chosen);
-    const open: Open | undefined = this.leads ? (...what) => this.goOn(...what) : undefined;
+    const open: Open | undefined = this.leads && it ? (...what) => this.goOn(it.id, ...what) : undefined;
     const over = it?.over && [{ ...it, words: 0 }, this.titleOf(it)]; // a word changes what stands in it, by itself
     this.fill(this.body, over || [it?.id ?? this.chosen, it?.exercises.length], () => {
       if (this.chosen === kKiosks && this.devices) return [this.devices];
@@ -191,7 +191,7 @@ class ClassPage {
   }
 
   /** A new class of those who are to do the same next. */
-  private goOn(...what: Parameters<Open>): void {
+  private goOn(...what: Parameters<NewClass["fill"]>): void {
     this.newClass.fill(...what);
     this.chosen = undefined;
     this.draw();

@@ -1,6 +1,12 @@
-// A name for a new class: of an earlier one the results are kept under its own.
+// A name for a new class: of an earlier one the results are kept under its own, and one that goes on from it has both.
 
 const kLongest = 24; // letters, as the door takes them
+
+const kGoesOn = /-(again|next)(-[a-z]+)?$/;
+
+/** What a class is called that goes on from one of that name: "gale-again", and that one's "gale-again" once more. */
+export const nameAfter = (name: string, what: "again" | "next"): string =>
+  `${name.replace(kGoesOn, "").slice(0, kLongest - 1 - what.length)}-${what}`;
 
 /** The letter behind that one: "-b" of "-a", "-za" of "-z". */
 const next = (behind: string): string => {

@@ -1,10 +1,10 @@
 // A new class: of which lesson, how many exercises, how many to each.
 
 import { h, setText } from "../kit/dom";
-import { type Classes, type Again, type ExerciseFile, type Lessons, type ToDo, act } from "./ask";
+import { type Classes, type Again, type ExerciseFile, type Lessons, act } from "./ask";
 import { type Open, whyFrom } from "./class_marks";
 import { field, form } from "./form";
-import { freeName } from "./free_name";
+import { freeName, nameAfter } from "./free_name";
 import { namesOf } from "./names";
 import { t } from "../kit/language";
 import { clock } from "../kit/units";
@@ -31,8 +31,8 @@ export const offered = (files: readonly ExerciseFile[]): ExerciseFile[] =>
 export interface NewClass {
   /** The form, with a name that is free. */
   shown(): HTMLElement;
-  /** Of these alone, with what they are to do next. */
-  fill: Open;
+  /** Of these alone, with what they are to do next. before: name of the class from which they come. */
+  fill: (before: string, ...what: Parameters<Open>) => void;
   /** Whoever has the code may join, unless a file is given. */
   anybody(): void;
 }
@@ -96,22 +96,22 @@ export function newClass(
     lesson.value = file ?? lesson.value;
     await suit();
   };
-  const fill = (group: ToDo[], moment?: Again, crewBefore?: number): void => {
+  const fill: NewClass["fill"] = (before, group, moment, crewBefore) => {
     anybody();
     chosenCrew = crewBefore;
     fixed = moment ? Object.keys(moment.places) : group.map((one) => one.name);
     from = moment;
     if (from) crew.value = String(from.crew);
     crew.disabled = !!from;
-    name.value = `${today}-${from || crewBefore ? "again" : "next"}`;
+    name.value = nameAfter(before, from || crewBefore ? "again" : "next");
     const names = fixed.join(", ");
     setText(
       whose,
       from
-        ? t("For {names} alone, unless you give a file; from {time} of {recording}, {why}", {
+        ? t("For {names} alone, unless you give a file; from {time} of {exercise}, {why}", {
             names,
             time: clock(from.time),
-            recording: from.recording,
+            exercise: from.exercise,
             why: whyFrom(from),
           })
         : t("For {names} alone, unless you give a file", { names }),

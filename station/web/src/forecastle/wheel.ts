@@ -18,6 +18,25 @@ export function turnsText(share: number): string {
   return whole === 1 ? t("1 turn {rest}°", { rest }) : t("{whole} turns {rest}°", { whole, rest });
 }
 
+/**
+ * What stands beside the wheel, and the same in one sentence: "4 turns 78° of 5 turns", "5 turns 0°, hard on". set:
+ * where the hand has put it, 0..1; real: where it is.
+ */
+export function brakeWords(set: number, real: number): { turns: string; state: string; said: string } {
+  const turns = turnsText(real);
+  const state =
+    Math.abs(set - real) > 0.01
+      ? t("set {turns}", { turns: turnsText(set) })
+      : real > 0.995
+        ? t("hard on")
+        : real < 0.005
+          ? t("open")
+          : "";
+  if (state) return { turns, state, said: `${turns}, ${state}` };
+  const whole = t("of {turns} turns", { turns: kWheelTurns });
+  return { turns, state: whole, said: `${turns} ${whole}` };
+}
+
 export interface WheelHand {
   /** By so many turns, on positive. */
   turn(turns: number): void;
@@ -79,14 +98,12 @@ export class HandWheel {
     const angle = (share: number): string => `rotate(${(share * kWheelTurns * 360).toFixed(1)})`;
     setAttribute(this.rim, "transform", angle(set));
     setAttribute(this.pointer, "transform", angle(real));
-    const stands =
-      real > 0.995 ? t("hard on") : real < 0.005 ? t("open") : t("of {turns} turns on", { turns: kWheelTurns });
     // One line, of one length: what stands beside the wheel must not push it from under the finger.
-    const state = Math.abs(set - real) > 0.01 ? t("set {turns}", { turns: turnsText(set) }) : stands;
-    setText(this.turns, turnsText(real));
+    const { turns, state, said } = brakeWords(set, real);
+    setText(this.turns, turns);
     setText(this.state, state);
     setAttribute(this.wheel, "aria-valuenow", (100 * set).toFixed(1));
-    setAttribute(this.wheel, "aria-valuetext", `${t("brake|hand-wheel")} ${turnsText(real)}, ${state}`);
+    setAttribute(this.wheel, "aria-valuetext", `${t("brake|hand-wheel")} ${said}`);
     setAttribute(this.wheel, "aria-disabled", movable ? undefined : "true");
     for (const button of this.buttons) button.disabled = !movable;
   }

@@ -9,6 +9,7 @@ import {
   allAgain,
   doubtOf,
   marksOf,
+  momentOf,
   placesBeside,
   whyFrom,
   whyNext,
@@ -69,6 +70,17 @@ test("what somebody missed is done again from a moment, or the class says why no
     "Again from no moment: its recording is here no more",
   );
   assert.equal(whyNotAgain(next({ practice: false }), it), "", "nothing was missed");
+});
+
+test("a class that goes on is told of which exercise, not by the name of its recording", () => {
+  const it = classOf([part("ben", "ship")]);
+  Object.assign(it, {
+    crew: 1,
+    exercises: [{ ...it.exercises[0], exercise: "gale-2", recording: "gale-2-1796071114" }],
+  });
+  const from = { recording: "gale-2-1796071114", position: 4 } as From;
+  const { exercise, recording, crew, places } = momentOf("ben", from, it);
+  assert.deepEqual([exercise, recording, crew, places], ["gale-2", "gale-2-1796071114", 1, { ben: "ship" }]);
 });
 
 test("the same class again is for all who had a seat at its end", () => {
