@@ -426,6 +426,8 @@ describe("the bridge", () => {
     await rig.say("order", "stand-by", "--side", "port");
     await order("stand by").getByRole("button").click();
     await eventually("repeated", async () => (await order("stand by").getAttribute("data-state")) === "ORDER_REPEATED");
+    await eventually("the log has it", () => log(/^[\d:]*order \d+ repeated: stand by port anchor$/).isVisible());
+    assert.equal(await page.locator(".log li", { hasText: "repeats: stand by" }).count(), 0, "one act, one line");
   });
 
   test("reports say what was touched, and no more", async () => {
@@ -476,6 +478,9 @@ describe("the bridge", () => {
     await eventually("it is answered", () => asked.getByText("answered").isVisible());
     assert.equal(await asked.getAttribute("data-stands"), null);
     assert.equal(await asked.getByRole("button").count(), 0);
+    const first = page.locator(".orders li").first();
+    assert.match(await first.textContent(), /hold on port cable/, "what is in force stands over what was answered");
+    assert.equal(await first.getAttribute("data-stands"), "");
   });
 });
 

@@ -10,8 +10,16 @@ import { t } from "../kit/language";
 
 const kShown = 200;
 
+/** Whether an order that was repeated back tells all of what a report's line does: its repeat, at the same tick. */
+export const tellsOf = (order: SeatEvent, report: SeatEvent): boolean =>
+  order.code === "order.repeated" &&
+  report.code === "report.made" &&
+  order.tick === report.tick &&
+  /^reported: repeats: .*, to order (\d+)$/s.exec(report.text)?.[1] === `${order.value}`;
+
 /** A line and its element. */
 interface Line {
+  event: SeatEvent;
   time: number; // s, exercise time
   left: boolean;
   element: HTMLElement;
@@ -39,6 +47,7 @@ export class Log {
     if (this.seen.has(key)) return;
     this.seen.add(key);
     this.strike(event);
+    this.leaveOut(event);
     const info = event.severity === EventSeverity.EVENT_INFO;
     const severity = saidOf("EventSeverity", event.severity);
     const element = h(
@@ -48,8 +57,14 @@ export class Log {
       h("span", { class: "text" }, info ? "" : `${severity}: `, eventLine(event)),
     );
     this.element.prepend(element);
-    this.lines.unshift({ time: event.time, left: false, element });
+    this.lines.unshift({ event, time: event.time, left: false, element });
     for (const { element: oldest } of this.lines.splice(kShown)) oldest.remove();
+  }
+
+  /** One act has one line. */
+  private leaveOut(event: SeatEvent): void {
+    const told = this.lines.findIndex((line) => tellsOf(event, line.event));
+    if (told >= 0) for (const { element } of this.lines.splice(told, 1)) element.remove();
   }
 
   /** What a restore has left has not happened. */

@@ -24,6 +24,7 @@ type Made = SeatEvent & { left: boolean };
 
 const isToRepeat = (order: BridgeOrder): boolean => isOpen(order) && !isQuestion(order);
 
+/** What waits or is in force stands first, each of these and of the others the newest first. */
 export class Orders {
   readonly element: HTMLElement;
   private readonly list = h("ol", {});
@@ -93,7 +94,9 @@ export class Orders {
   private update(): void {
     const orders = this.orders();
     this.none.hidden = orders.length > 0;
-    this.list.replaceChildren(...orders.map((order) => this.row(order)));
+    const rows = orders.map((order) => this.row(order));
+    const stands = (row: HTMLElement): boolean => row.hasAttribute("data-stands");
+    this.list.replaceChildren(...rows.filter(stands), ...rows.filter((row) => !stands(row)));
     const newest = orders[0];
     if (!newest) this.heard = 0;
     else if (newest.number > this.heard) {
