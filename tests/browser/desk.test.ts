@@ -174,6 +174,7 @@ test("taking over needs a held button, begins with the levers as found, is seen 
   const { port: found } = await rig.truly("hard on", ({ port }) => port.windlass.brake_position > 0.99);
   await button("take over port windlass").click();
   assert.equal(await page.locator("body.in-command").count(), 0, "a touch takes nothing");
+  assert.equal(await button("take over port windlass").textContent(), "Hold: Take over", "and it is said why");
   await hold("take over port windlass");
   await eventually("the trainee is told", async () => (await owner()).includes("instructor"));
   await eventually("an amber frame", async () => (await page.locator("body.in-command").count()) === 1);

@@ -5,6 +5,7 @@ import { h, setAttribute, setText } from "./dom";
 import { t } from "./language";
 
 const kAgain = 3000; // ms
+const kTold = 6000; // ms for which who has only touched it is told so
 
 const isPress = (event: KeyboardEvent): boolean => event.key === " " || event.key === "Enter";
 
@@ -114,12 +115,22 @@ export function holdButton(
     words,
   );
   const waits = (again: boolean): void => setText(words, again ? t("{text}: again to confirm", { text }) : text);
-  let said: ReturnType<typeof setTimeout> | undefined;
-  const tooShort = (): void => {
-    clearTimeout(said);
-    setText(words, t("Hold: {text}", { text }));
-    said = setTimeout(() => setText(words, text), kAgain);
+  let told: ReturnType<typeof setTimeout> | undefined;
+  const plain = (): void => {
+    clearTimeout(told);
+    setText(words, text);
+    setAttribute(button, "data-told", undefined);
   };
-  new HoldGuard(button, () => seconds * 1000, act, waits, tooShort);
+  const tooShort = (): void => {
+    plain();
+    setText(words, t("Hold: {text}", { text }));
+    setAttribute(button, "data-told", "");
+    told = setTimeout(plain, kTold);
+  };
+  const held = (): void => {
+    plain();
+    act();
+  };
+  new HoldGuard(button, () => seconds * 1000, held, waits, tooShort);
   return button;
 }

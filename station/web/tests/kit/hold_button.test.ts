@@ -3,17 +3,23 @@
 import assert from "node:assert/strict";
 import { type TestContext, test } from "node:test";
 
-import { HoldGuard } from "../../src/kit/hold_button";
+import { HoldGuard, holdButton } from "../../src/kit/hold_button";
 
 const kTime = 600; // ms
 
 /** What of a button is asked for. */
 class Button extends EventTarget {
   disabled = false;
+  textContent = "";
+  inside: Button | undefined;
   readonly attributes = new Map<string, string>();
   readonly classList = new Set<string>();
   readonly style = { setProperty: () => {} };
   setPointerCapture(): void {}
+  append(child: Button | string): void {
+    if (typeof child === "string") this.textContent += child;
+    else this.inside = child;
+  }
   setAttribute(name: string, value: string): void {
     this.attributes.set(name, value);
   }
@@ -153,4 +159,25 @@ test("where nothing is to be held it acts at the touch", (t) => {
   assert.equal(seen.acts, 1);
   button.get("click", { detail: 0 });
   assert.equal(seen.acts, 2);
+});
+
+test("a button that was only touched says that it is to be held, until it was or some seconds are over", (t) => {
+  const wait = clock(t);
+  Object.assign(globalThis, { Node: Button, document: { createElement: () => new Button() } });
+  let acts = 0;
+  const button = holdButton("Take over", 0.6, () => ++acts) as unknown as Button;
+  const says = () => button.inside?.textContent;
+  const touch = () => {
+    button.get("pointerdown", down(1));
+    button.get("pointerup", down(1));
+  };
+  touch();
+  wait(5900);
+  assert.deepEqual([says(), button.attributes.has("data-told"), acts], ["Hold: Take over", true, 0]);
+  wait(200);
+  assert.deepEqual([says(), button.attributes.has("data-told")], ["Take over", false]);
+  touch();
+  button.get("pointerdown", down(1));
+  wait(600);
+  assert.deepEqual([says(), acts], ["Take over", 1]);
 });
