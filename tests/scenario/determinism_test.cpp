@@ -95,11 +95,11 @@ std::vector<Mark> play(std::uint64_t view_every) {
 constexpr std::array<Mark, 7> kGolden{{
     {300, 0xc35b6c93c1a0608a},
     {1800, 0xbe38285179766872},
-    {3300, 0x80c96acfe1a725d8},
-    {6000, 0x6e34a53d8c6b32eb},
-    {8700, 0xc01b4368d3a0f5e4},
-    {12000, 0x9a47db206e2c1a53},
-    {15000, 0x6c8e0eb1245068cc},
+    {3300, 0xa487cb376a75594a},
+    {6000, 0xe59e7cff64fcde2a},
+    {8700, 0x093db7591f86fdd5},
+    {12000, 0xe47a0d8a7da69f3c},
+    {15000, 0x4aa1930e3051313b},
 }};
 
 } // namespace

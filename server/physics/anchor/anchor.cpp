@@ -242,7 +242,6 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     Vector7 start;
     start << body_.motion(), flukes_.rate();
     touches_.find(*this, time.dt, hull != nullptr ? *hull : HullSurface{});
-    near_ship_ = touches_.near_ship();
     const Matrix6 inertia = body_.inertia();
     hold(environment, time);
     apply_gravity_and_drag(environment, time);
@@ -251,7 +250,9 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     // Bullet first: an anchor that the ground has stopped is what the chain then finds at its end. The other
     // way round, the ground would stretch a chain already solved, and create energy.
     const Vector6 free = body_.motion();
-    body_.step(time.dt, clear_of_bed(environment, time.dt));
+    const bool clear = clear_of_bed(environment, time.dt);
+    may_touch_ = !clear || touches_.near_ship();
+    body_.step(time.dt, clear);
     const Vector6 contact = body_.motion() - free;
     step_.contact_loss = -0.5 * (inertia * contact).dot(start.head<6>() + body_.motion());
     step_.before = start;
@@ -337,7 +338,7 @@ Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, 
 template <class Visitor, StateOf<Anchor> Self>
 void visit_state(Visitor& v, Self& self) {
     WINDLASS_STATE(v, self.body_, self.flukes_, self.holding_, self.bight_, self.soil_force_, self.driven_,
-                   self.near_ship_, self.poor_soil_);
+                   self.may_touch_, self.poor_soil_);
     WINDLASS_WITHIN(v, -kStrongest, kStrongest, self.soil_force_, self.driven_);
     WINDLASS_WITHIN(v, 0, 1, self.poor_soil_);
 }

@@ -98,7 +98,9 @@ public:
     /// N, downwards at the crown: soil and cables that it carries when it is clear of the bottom.
     double load(const EnvironmentDef& environment) const;
 
-    bool near_ship() const { return near_ship_; } ///< within 0.25 m, at the start of the last step
+    /// Whether at the start of the last step it was near enough to touch ship or bottom before a long step
+    /// ends.
+    bool may_touch() const { return may_touch_; }
     bool touches_left_out() const { return touches_.full(); }  ///< of the hull, in the last step
     Vec3 shackle() const;                                      ///< m, world
     Vec3 shackle_velocity() const;                             ///< m/s, world
@@ -175,7 +177,7 @@ private:
     BightState bight_;
     double soil_force_ = 0;
     Vec3 driven_ = Vec3::Zero(); ///< N, along the bed: all but the soil that moved the crown in the last step
-    bool near_ship_ = false;
+    bool may_touch_ = false;
     double poor_soil_ = 0; ///< share of the soil's holding that a fault takes, as of the last step
 
     Step step_; ///< under way

@@ -138,7 +138,7 @@ int GroundTackle::stride(double dt) const {
     const int max = std::max(1, static_cast<int>(kLongest / dt + 1e-6));
     if (!setup_.budget || std::abs(windlass_.state().cable_speed) > kRuns) return 1;
     if (level() == ModelLevel::catenary) return max;
-    const bool may_touch = windlass_.drawn_in() == 0 && (anchor_.holding().landed || anchor_.near_ship());
+    const bool may_touch = windlass_.drawn_in() == 0 && anchor_.may_touch();
     const double moves = may_touch ? anchor_.fastest() : 0;
     for (int ticks = moves > kAnchorMoves ? 1 : max; ticks > 1; --ticks) {
         const bool as_long_now = chain_.last_step > (ticks - 0.5) * dt;
