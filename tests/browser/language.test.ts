@@ -118,11 +118,9 @@ test("an order that waits on the forecastle is in sight with its state and its b
       assert.deepEqual(hidden, [], `${width}x${height}`);
     }
   };
-  await rig.say("order", "hold-on", "6", "--side", "port");
-  await eventually("it waits", () => order.getByText("noch nicht wiederholt").isVisible());
-  await isWhole();
-  const lastCall = "I say again; this is my last call: if I have no correct answer I will abort";
+  const lastCall = "I say again; this is my last call, then I send another man forward";
   await rig.say("order", "pay-out", "3", "--side", "port", "--text", lastCall);
+  await eventually("it waits", () => order.getByText("noch nicht wiederholt").isVisible());
   await eventually("it is called for the last time", () => order.getByText(lastCall).isVisible());
   assert.ok(await order.getByRole("button").isVisible());
   await isWhole();
