@@ -180,8 +180,10 @@ std::string limit_words(const Criterion& criterion, const Mark& mark, int rate) 
         clock(mark.worst_tick, rate) + " " + short_name(quantity) + " " + figure_text(mark.worst, unit);
     if (criterion.min > -kNoLimit) text += ", at least " + figure_text(criterion.min, unit);
     if (criterion.max < kNoLimit) text += ", at most " + figure_text(criterion.max, unit);
-    if (mark.outside > 0)
+    if (mark.outside > 0) {
         text += "; beyond it for " + seconds(mark.outside, rate) + " in all, from " + clock(mark.since, rate);
+        if (criterion.grace > 0) text += ", " + number(criterion.grace) + " s are allowed";
+    }
     if (mark.wrong > 0) {
         const bool above = mark.worst > criterion.fail_above;
         // Named again: pages show a speed in the unit of whose it is, and look for that in the same clause.

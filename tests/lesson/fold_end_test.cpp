@@ -106,6 +106,20 @@ TEST(Assessment, ReasonOfALimitSaysForHowLongInAllAndWhatLeavesNothing) {
         << "with whose speed it is: pages show it in another unit";
 }
 
+TEST(Assessment, ReasonOfALimitNamesTheTimeThatIsAllowed) {
+    Course course(lesson(
+        R"({"id": "v", "kind": "limit", "of": "motor_load", "max": 289000, "grace": 100, "zero": 200})"));
+    course.run(10);
+    course.windlass().motor_load = 500e3;
+    course.run(37.4);
+    course.windlass().motor_load = 0;
+    course.run(5);
+    course.end();
+    EXPECT_EQ(course.mark().milli, 1000);
+    EXPECT_EQ(course.mark().reason, "0:10 through the clutch 500 kN, at most 289 kN; beyond it for 37.4 s in "
+                                    "all, from 0:10, 100 s are allowed");
+}
+
 // A heap that is left lying is no less for a lesson that was over sooner.
 TEST(Assessment, WhatIsToBePutRightAndLiesAtTheEndLeavesNothing) {
     enum class Over { good, time, accident, by_hand };
