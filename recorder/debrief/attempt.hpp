@@ -38,7 +38,7 @@ struct Truth {
     double brake = 0;                          ///< 0..1, where the hand-wheel was
     double brake_load = 0, brake_capacity = 0; ///< N
     double cable_speed = 0;                    ///< m/s, paying out positive
-    bool stopper_closed = false, power = true; ///< power: the motor had it
+    bool stopper_closed = false, power = true; ///< power: the motor had it, and had not tripped
 };
 
 /// One windlass with its cable.

@@ -139,7 +139,7 @@ void AttemptReader::add(const WindlassLoad& load) {
     of.now.brake_capacity = load.brake_capacity();
     of.now.cable_speed = load.cable_speed();
     of.now.stopper_closed = load.stopper_closed();
-    of.now.power = load.power();
+    of.now.power = load.power() && !load.tripped();
     if (!of.first) of.first = load;
     side.worked = side.worked || std::abs(load.cable_out() - of.first->cable_out()) > kWorkedCable ||
                   load.brake_position() != of.first->brake_position() ||

@@ -435,7 +435,7 @@ double shown_of(exercise::ReportCode code, const exercise::TackleView& tackle) {
     case exercise::ReportCode::up_and_down:
         return tackle.chain.lead_clock;
     case exercise::ReportCode::no_power:
-        return tackle.windlass.power ? 1 : 0;
+        return tackle.windlass.power && !tackle.windlass.tripped ? 1 : 0;
     case exercise::ReportCode::does_not_run:
         return tackle.windlass.cable_speed;
     default:

@@ -42,6 +42,10 @@ Bounds is_not(const char* quantity) {
 Bounds stopped() {
     return between("cable_speed", -kStopped, kStopped);
 }
+/// Against a closed bar it comes in by the bar's play, and no farther.
+std::vector<Bounds> heaves() {
+    return {below("cable_speed", -0.02), is_not("stopper_on")};
+}
 
 } // namespace
 
@@ -120,7 +124,7 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
             done.bounds = {between("cable_speed", -kStands, kStands),
                            below("shackles", order.value + kAtMark)};
         else
-            done.bounds = {below("cable_speed", -0.02)};
+            done.bounds = heaves();
         break;
     case BridgeOrderCode::stop_heaving:
         done.bounds = {below("speed_lever", 0.01), stopped()};
@@ -215,7 +219,8 @@ bool lay_usual_truth(Lesson& lesson, Criterion& criterion) {
                 when.bounds.push_back(above("top_angle_deg", words::limits::stay_short));
             if (criterion.report == ReportCode::up_and_down)
                 when.bounds.push_back(above("top_angle_deg", words::limits::stay_up_and_down));
-            when.bounds.push_back(below("cable_speed", -0.02)); // heaving
+            const std::vector<Bounds> heaving = heaves();
+            when.bounds.insert(when.bounds.end(), heaving.begin(), heaving.end());
         }
         criterion.truth = ReportTruth::moment;
         criterion.truth_moment = static_cast<int>(lesson.moments.size());

@@ -51,7 +51,7 @@ unsigned phases_of(ReportCode code) {
 Condition truth_of_moment(Lesson& lesson, const Criterion& criterion, Condition when) {
     if (criterion.report != ReportCode::heaving) // at short stay she is also once the windlass stands
         std::erase_if(when.bounds,
-                      [](const Bounds& bounds) { return bounds.quantity == quantity_of("cable_speed"); });
+                      [](const Bounds& bounds) { return bounds.quantity != quantity_of("top_angle_deg"); });
     const unsigned anyhow_in = phases_of(criterion.report);
     if (anyhow_in == 0) return when;
     Condition anyhow{.side = criterion.side, .phases = anyhow_in};

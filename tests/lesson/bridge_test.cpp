@@ -964,4 +964,74 @@ TEST(Bridge, OfL14HearsOfADefectAtHalfPowerAndOfNoPowerOnceThereIsNone) {
         << "who says nothing hears nothing";
 }
 
+namespace {
+
+/// A shipped lesson over made pictures.
+class Shipped : public Bridge {
+public:
+    explicit Shipped(const std::string& file)
+        : Bridge(read_json(WINDLASS_CONFIG_DIR "/exercises/" + file).at("lesson").dump()) {}
+    void pulls(double speed, double newton) {
+        windlass().cable_speed = speed;
+        windlass().gypsy_load = windlass().motor_load = newton;
+    }
+    CriterionResult of(const std::string& code) const {
+        const Result all = now();
+        const auto found = std::ranges::find(all.criteria, code, &CriterionResult::code);
+        return found == all.criteria.end() ? CriterionResult() : *found;
+    }
+};
+
+} // namespace
+
+// The weight is taken against the closed bar, the motor trips, all is made fast: nothing has come too heavy.
+TEST(Bridge, OfA6KnowsNoLoadThatRoseAgainstTheClosedBar) {
+    Shipped lesson("A06_clutch_mars_201410.json");
+    lesson.windlass().stopper_closed = true;
+    lesson.windlass().brake_position = 1;
+    lesson.on(6);
+    lesson.windlass().clutch = exercise::ClutchState::in;
+    lesson.report(ReportCode::standing_by);
+    lesson.on(8);
+    ASSERT_EQ(lesson.said.back().code, BridgeOrderCode::heave);
+    lesson.windlass().speed_lever = 0.15;
+    lesson.windlass().brake_position = 0;
+    lesson.pulls(-0.06, 155e3);
+    lesson.on(3);
+    lesson.pulls(0, 151e3);
+    lesson.on(40);
+    lesson.windlass().tripped = true;
+    lesson.on(5);
+    lesson.windlass().speed_lever = 0;
+    lesson.windlass().brake_position = 1;
+    lesson.report(ReportCode::no_power);
+    lesson.on(5);
+    EXPECT_EQ(lesson.of("told").state, CriterionState::not_in_play);
+    EXPECT_EQ(lesson.of("steps").state, CriterionState::not_in_play);
+    EXPECT_EQ(lesson.of("trip").state, CriterionState::not_met);
+    EXPECT_EQ(lesson.of("trip-told").milli, 1000) << lesson.of("trip-told").reason;
+    lesson.windlass().tripped = lesson.windlass().stopper_closed = false;
+    lesson.windlass().brake_position = 0;
+    lesson.windlass().speed_lever = 0.4;
+    lesson.pulls(-0.15, 155e3);
+    lesson.on(0.5); // as she starts to move
+    lesson.pulls(-0.15, 130e3);
+    lesson.on(20);
+    EXPECT_EQ(lesson.of("told").state, CriterionState::not_in_play);
+    lesson.pulls(-0.15, 160e3);
+    lesson.on(3);
+    EXPECT_EQ(lesson.of("told").state, CriterionState::open);
+    lesson.windlass().speed_lever = 0;
+    lesson.pulls(0, 160e3);
+    lesson.windlass().stopper_closed = true; // and the brake, in whatever order
+    lesson.on(2);
+    lesson.windlass().brake_position = 1;
+    lesson.on(2);
+    lesson.windlass().clutch = exercise::ClutchState::out;
+    lesson.report(ReportCode::defect);
+    lesson.on(1);
+    EXPECT_EQ(lesson.of("steps").milli, 1000) << lesson.of("steps").reason;
+    EXPECT_EQ(lesson.of("told").milli, 1000) << lesson.of("told").reason;
+}
+
 } // namespace windlass::assess

@@ -157,6 +157,28 @@ TEST(Assessment, CableThatOnlyBeginsToComeIsNotHoveOrWalkedToItsMark) {
     }
 }
 
+// Against a closed bar it comes in by the bar's play, and stands.
+TEST(Assessment, CableThatComesInAgainstAClosedBarIsNotHove) {
+    Course course(lesson(R"({"id": "o", "kind": "order", "orders": "heave"},
+                            {"id": "r", "kind": "report", "report": "heaving"})",
+                         R"(, "orders": [{"id": "heave", "code": "heave"}])"));
+    course.windlass().stopper_closed = true;
+    course.run(1);
+    ASSERT_EQ(course.due.size(), 1u);
+    give_first(course, exercise::BridgeOrderState::repeated);
+    course.windlass().cable_speed = -0.06;
+    course.run(2);
+    course.windlass().cable_speed = 0;
+    course.run(10);
+    EXPECT_EQ(course.now().orders.at(0).tick, 0U);
+    EXPECT_EQ(course.mark(1).state, CriterionState::not_in_play) << "there is nothing to report";
+    course.windlass().stopper_closed = false;
+    course.windlass().cable_speed = -0.06;
+    course.run(2);
+    EXPECT_GT(course.now().orders.at(0).tick, 0U);
+    EXPECT_EQ(course.mark(1).state, CriterionState::open);
+}
+
 // Checked for two seconds at the second mark and let go on to the third, it was not paid out to two.
 TEST(Assessment, CableThatPausesAtItsMarkHasNotBeenPaidOutToIt) {
     Course course(lesson(R"({"id": "o", "kind": "order", "orders": "pay"})",
