@@ -127,7 +127,8 @@ struct Criterion {
     double grace = 0;                                     ///< s outside that cost nothing
     double zero = 10;                                     ///< s outside at which nothing is left
     std::optional<Condition> from{}, to{}; ///< limit, sequence, prohibited: when it is looked at. from, of a
-                                           ///< question: since when it counts, asked or not
+                                           ///< final: it counts once that has been so; of a question: since
+                                           ///< when it counts, asked or not
 
     int at = -1;                    ///< state_at: place in moments
     double after = 0;               ///< state_at: s after it

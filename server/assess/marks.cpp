@@ -519,6 +519,7 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look) {
         return;
     case CriterionKind::final: {
         const bool so = look.holds(criterion.that);
+        if (mark.began < 0 && criterion.from && !look.holds(*criterion.from)) return;
         mark.acted = mark.acted || !so;
         if (mark.began < 0 || so != mark.holds) mark.since = look.tick();
         mark.began = look.state.begin;

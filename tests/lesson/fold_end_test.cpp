@@ -120,6 +120,24 @@ TEST(Assessment, ReasonOfALimitNamesTheTimeThatIsAllowed) {
                                     "all, from 0:10, 100 s are allowed");
 }
 
+// What is wanted of a ship under way is not asked of one that never weighed.
+TEST(Assessment, WhatIsWantedAtTheEndFromAMomentOnIsNotShownWhereThatNeverCame) {
+    const auto ended = [](bool comes) {
+        Course course(lesson(
+            R"({"id": "s", "kind": "final", "that": {"stopper": "on"}, "from": {"moment": "bottom"}})"));
+        course.run(10);
+        if (comes) course.event("anchor.on_bottom");
+        course.run(10);
+        course.end();
+        return course.mark();
+    };
+    EXPECT_EQ(ended(false).state, CriterionState::not_in_play);
+    EXPECT_FALSE(ended(false).counts);
+    EXPECT_EQ(ended(true).state, CriterionState::not_met);
+    EXPECT_EQ(ended(true).reason,
+              "0:20 at the end stopper open; wanted: stopper closed: all of its points lost");
+}
+
 // A heap that is left lying is no less for a lesson that was over sooner.
 TEST(Assessment, WhatIsToBePutRightAndLiesAtTheEndLeavesNothing) {
     enum class Over { good, time, accident, by_hand };
