@@ -1034,4 +1034,29 @@ TEST(Bridge, OfA6KnowsNoLoadThatRoseAgainstTheClosedBar) {
     EXPECT_EQ(lesson.of("told").milli, 1000) << lesson.of("told").reason;
 }
 
+TEST(Bridge, OfL08HasTheHandStandByAtOnceAndAHeaveWithoutAnOrderLosesByName) {
+    Shipped lesson("L08_weigh_in_a_gale.json");
+    lesson.seen().lights_and_shapes.anchor_ball = true;
+    lesson.chain().cable_out = 165;
+    lesson.windlass().brake_position = 1;
+    lesson.on(15);
+    ASSERT_FALSE(lesson.said.empty());
+    EXPECT_EQ(lesson.said.front().code, BridgeOrderCode::stand_by);
+    lesson.windlass().clutch = exercise::ClutchState::in;
+    lesson.windlass().brake_position = 0;
+    lesson.windlass().speed_lever = 1;
+    lesson.pulls(-0.2, 500e3);
+    lesson.on(5);
+    EXPECT_EQ(lesson.of("ordered").state, CriterionState::open) << "the weight may be taken";
+    lesson.on(10);
+    EXPECT_EQ(lesson.of("ordered").state, CriterionState::not_met);
+    lesson.on(200);
+    lesson.end();
+    EXPECT_GT(lesson.of("rated").time_outside, 100) << lesson.of("rated").reason;
+    EXPECT_LT(lesson.of("rated").milli, 1000);
+    EXPECT_EQ(lesson.of("dragged").milli, 1000) << "it has not";
+    EXPECT_EQ(lesson.of("ball-up").milli, 1000);
+    EXPECT_EQ(lesson.of("ball-down").state, CriterionState::not_in_play) << "she never weighed";
+}
+
 } // namespace windlass::assess
