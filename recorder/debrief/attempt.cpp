@@ -9,6 +9,12 @@ const Truth* Side::truth_at(double time) const {
     return after == truths.begin() ? nullptr : &*std::prev(after);
 }
 
+std::optional<double> Attempt::lesson_over() const {
+    constexpr double kAtItsEnd = 1; // s: an exercise that is ended as soon as its lesson is over
+    if (!assessment || !assessment->finished() || assessment->time() > ended - kAtItsEnd) return std::nullopt;
+    return assessment->time();
+}
+
 double Attempt::position_of(double time) const {
     if (positions.empty()) return 0;
     const auto after =

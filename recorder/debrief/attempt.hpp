@@ -7,6 +7,7 @@
 #include "idl/types.hpp"
 
 #include <array>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ struct Truth {
     Stay stay = STAY_UP_AND_DOWN;
     double tension = 0;                        ///< N, at the lip
     std::optional<AnchorPhase> anchor = {};    ///< nothing: none was recorded yet
+    double dragged = 0;                        ///< m, as Side
     double brake = 0;                          ///< 0..1, where the hand-wheel was
     double brake_load = 0, brake_capacity = 0; ///< N
     double cable_speed = 0;                    ///< m/s, paying out positive
@@ -149,6 +151,11 @@ struct Attempt {
     LessonText lesson;
 
     double duration() const { return ended - began; }
+    /// When its lesson was over, where the exercise went on after that; nothing: it did not. What came then
+    /// counts for nothing.
+    std::optional<double> lesson_over() const;
+    /// Until when it counts; infinity: all of it does.
+    double counted_until() const { return lesson_over().value_or(std::numeric_limits<double>::infinity()); }
     double time_of(std::uint64_t tick) const { return static_cast<double>(tick) * dt; }
     /// s from the recording's beginning at which a replay shows that time of exercise.
     double position_of(double time) const;

@@ -167,6 +167,7 @@ void AttemptReader::add(const AnchorState& anchor) {
     if (!on_the_ground(anchor.phase())) return;
     Side& side = attempt_.sides[index];
     side.dragged = std::max(side.dragged, anchor.dragged());
+    sides_[index].now.dragged = side.dragged;
     const Vec3& now = anchor.position();
     if (!side.anchor.empty() &&
         std::hypot(now.x() - side.anchor.back().x(), now.y() - side.anchor.back().y()) < kMoved)

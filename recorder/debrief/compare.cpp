@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace windlass::debrief {
 
 Alignment align(const Attempt& attempt, const Attempt& other) {
@@ -52,13 +54,17 @@ double speed_of(const Sample& of) {
 void add_side(const Attempt& attempt, int index, std::vector<Figure>& figures) {
     const Side& side = attempt.sides[static_cast<std::size_t>(index)];
     if (!side.worked) return;
+    const double until = attempt.counted_until();
+    const Truth* last = attempt.lesson_over() ? side.truth_at(until) : nullptr;
+    const double cable_out = last != nullptr ? last->cable_out : side.cable_out;
+    const double dragged = last != nullptr ? last->dragged : side.dragged;
     const std::string of = index == SIDE_PORT ? "port" : "starboard";
     const auto add = [&](const char* id, const char* name, double value, const char* unit,
                          std::string words) {
         figures.push_back(
             {fmt::format("{}_{}", id, of), fmt::format("{}, {}", name, of), value, unit, std::move(words)});
     };
-    if (const auto& most = side.curves[kTension].largest()) {
+    if (const auto most = side.curves[kTension].largest_until(until)) {
         const double newton = most->value * words::units::tonne;
         add("largest_tension", "Largest tension at the lip", newton, "N",
             fmt::format("{} at {}{}", station::tonnes(newton), station::clock(most->time),
@@ -66,25 +72,26 @@ void add_side(const Attempt& attempt, int index, std::vector<Figure>& figures) {
                                                              station::percent(newton / side.breaking_load))
                                                : ""));
     }
-    if (const auto& most = side.curves[kCableSpeed].largest())
+    if (const auto most = side.curves[kCableSpeed].largest_until(until))
         add("fastest_out", "Fastest cable, paying out", speed_of(*most), "m/s",
             fmt::format("{} at {}", cable_speed_text(speed_of(*most)), station::clock(most->time)));
-    if (const auto& least = side.curves[kCableSpeed].least(); least && least->value < 0)
+    if (const auto least = side.curves[kCableSpeed].least_until(until); least && least->value < 0)
         add("fastest_in", "Fastest cable, heaving", -speed_of(*least), "m/s",
             fmt::format("{} at {}", cable_speed_text(-speed_of(*least)), station::clock(least->time)));
-    add("cable_out", "Cable out at the end", side.cable_out, "m",
-        fmt::format("{:.1f} m, {}", side.cable_out, shackles_text(side.cable_out)));
-    if (const auto& most = side.curves[kLining].largest())
+    add("cable_out", "Cable out at the end", cable_out, "m",
+        fmt::format("{:.1f} m, {}", cable_out, shackles_text(cable_out)));
+    if (const auto most = side.curves[kLining].largest_until(until))
         add("lining", "Hottest lining of the brake", most->value, "degC",
             fmt::format("{:.0f} \u00b0C at {}", most->value, station::clock(most->time)));
-    add("dragged", "Anchor moved on the bottom", side.dragged, "m", fmt::format("{:.1f} m", side.dragged));
+    add("dragged", "Anchor moved on the bottom", dragged, "m", fmt::format("{:.1f} m", dragged));
 }
 
 } // namespace
 
 std::vector<Figure> figures_of(const Attempt& attempt) {
     std::vector<Figure> figures;
-    figures.push_back({"duration", "Duration", attempt.duration(), "s", station::clock(attempt.duration())});
+    const double duration = std::min(attempt.counted_until(), attempt.ended) - attempt.began;
+    figures.push_back({"duration", "Duration", duration, "s", station::clock(duration)});
     if (attempt.assessment)
         figures.push_back({"score", "Score", attempt.assessment->score(), "points",
                            points_text(attempt.assessment->score()) + " of 100"});

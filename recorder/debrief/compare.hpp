@@ -28,7 +28,7 @@ struct Figure {
 };
 
 /// Duration, score, and of each side worked the largest tension, the fastest cable, the cable out and the
-/// heat of the brake.
+/// heat of the brake: of what counts (Attempt::counted_until()).
 std::vector<Figure> figures_of(const Attempt& attempt);
 
 } // namespace windlass::debrief

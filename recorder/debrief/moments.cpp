@@ -53,16 +53,18 @@ void add_events(const Attempt& attempt, std::vector<Moment>& moments) {
 }
 
 void add_extremes(const Attempt& attempt, std::vector<Moment>& moments) {
+    const double until = attempt.counted_until();
     for (int index = 0; index < 2; ++index) {
         const Side& side = attempt.sides[static_cast<std::size_t>(index)];
         if (!side.worked) continue;
         const std::string_view of = index == SIDE_PORT ? "port" : "starboard";
-        if (const auto& largest = side.curves[kTension].largest())
+        if (const auto largest = side.curves[kTension].largest_until(until))
             moments.push_back({largest->time,
                                fmt::format("{}: largest tension at the lip, {}", of,
                                            station::tonnes(largest->value * words::units::tonne)),
                                index});
-        if (const auto& fastest = side.curves[kCableSpeed].largest(); fastest && fastest->value > kRuns)
+        if (const auto fastest = side.curves[kCableSpeed].largest_until(until);
+            fastest && fastest->value > kRuns)
             moments.push_back({fastest->time,
                                fmt::format("{}: cable runs out fastest, {}", of,
                                            cable_speed_text(fastest->value * words::units::metre_a_minute)),

@@ -2,6 +2,7 @@
 // The parts of the page, in the order in which they stand in it. Each is a section with its heading.
 
 #include "recorder/debrief/elevation.hpp"
+#include "recorder/debrief/html.hpp"
 #include "recorder/debrief/moments.hpp"
 #include "recorder/debrief/page.hpp"
 #include "recorder/debrief/plot.hpp"
@@ -39,6 +40,16 @@ std::string scene_words(const SceneAt& scene, int side);
 /// the page, for its ids. Empty where nothing can be drawn.
 std::string scene_figure(const PageContext& page, const SceneAt& scene, int side, std::size_t number,
                          const std::string& heading);
+
+/// A row of a table with the time of exercise that it is of.
+struct TimedRow {
+    double time = 0; ///< s
+    std::vector<Cell> cells;
+};
+/// The rows, by time, as a table; those of after the lesson's end as another one under a heading that says
+/// so.
+std::string timed_tables(const Attempt& attempt, std::string_view caption,
+                         const std::vector<std::string>& columns, const std::vector<TimedRow>& rows);
 
 /// "2:05", linked to the replay of it where there is one.
 std::string time_link(const PageContext& page, double time);

@@ -47,6 +47,14 @@ std::string end_words(const Attempt& attempt) {
                                                                 : "the recording ends while it runs";
 }
 
+/// Which stretch the marks and figures are of, where it is not all; empty: it is.
+std::string counted_words(const Attempt& attempt) {
+    const auto over = attempt.lesson_over();
+    if (!over) return "";
+    return fmt::format("{} to {}, when the lesson was over: marks, and the figures below, are of that alone",
+                       station::clock(attempt.began), station::clock(*over));
+}
+
 std::string hands_words(const Attempt& attempt) {
     std::string text;
     for (const auto& [name, hand] : attempt.hands) {
@@ -334,7 +342,7 @@ std::string summary_part(const PageContext& page) {
                  fmt::format("{} to {}, {} in all", station::clock(attempt.began),
                              station::clock(attempt.ended), station::clock(attempt.duration()))) +
             term("End", end_words(attempt)) + term("Trainees", page.options.who) +
-            term("What was done", hands_words(attempt));
+            term("What was done", hands_words(attempt)) + term("What counts", counted_words(attempt));
     for (const Figure& each : figures_of(attempt))
         if (each.id != "duration" && each.id != "score") html += term(each.name, each.words);
     return html + "</dl>\n</section>\n";
@@ -382,15 +390,16 @@ std::string LaterWord::stands() const {
 std::string moments_part(const PageContext& page) {
     std::string html = "<section aria-labelledby=\"moments\">\n<h2 id=\"moments\">Key moments</h2>\n";
     if (page.moments.empty()) return html + "<p>There are none.</p>\n</section>\n";
-    std::vector<std::vector<Cell>> rows;
+    std::vector<TimedRow> rows;
     for (std::size_t i = 0; i < page.moments.size(); ++i) {
         const Moment& moment = page.moments[i];
-        rows.push_back({figure_cell(fmt::format("{}", i + 1)), html_cell(time_link(page, moment.time)),
-                        text_cell(moment.what),
-                        figure_cell(fmt::format("{:.1f}", page.attempt.position_of(moment.time)))});
+        rows.push_back({moment.time,
+                        {figure_cell(fmt::format("{}", i + 1)), html_cell(time_link(page, moment.time)),
+                         text_cell(moment.what),
+                         figure_cell(fmt::format("{:.1f}", page.attempt.position_of(moment.time)))}});
     }
-    html += table("The numbers are those of the flags in the plots",
-                  {"no.", "time", "what", "s of the recording"}, rows);
+    html += timed_tables(page.attempt, "The numbers are those of the flags in the plots",
+                         {"no.", "time", "what", "s of the recording"}, rows);
     return html + way_to_moments(page) + "</section>\n";
 }
 

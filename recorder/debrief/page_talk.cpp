@@ -64,30 +64,34 @@ std::string talk_part(const PageContext& page) {
                       {"no.", "given", "order", "by", "repeat-back", "after, s", "allowed, s", "carried out",
                        "after, s", "allowed, s", "answer", "after, s"},
                       rows);
-    rows.clear();
+    std::vector<TimedRow> reports;
     for (const ReportSaid& report : reports_said(page.attempt))
-        rows.push_back({{time_link(page, report.time), false},
-                        text_cell(report.words),
-                        text_cell(report.by),
-                        text_cell(report.truth),
-                        seconds_cell(report.delay)});
-    if (rows.empty())
+        reports.push_back({report.time,
+                           {{time_link(page, report.time), false},
+                            text_cell(report.words),
+                            text_cell(report.by),
+                            text_cell(report.truth),
+                            seconds_cell(report.delay)}});
+    if (reports.empty())
         html += "<p>Nothing was reported.</p>\n";
     else
-        html += table("Reports of the forecastle, and what was so; free text is not judged",
-                      {"time", "report", "by", "the truth", "delay, s"}, rows);
+        html +=
+            timed_tables(page.attempt, "Reports of the forecastle, and what was so; free text is not judged",
+                         {"time", "report", "by", "the truth", "delay, s"}, reports);
     return html + "</section>\n";
 }
 
 std::string events_part(const PageContext& page) {
     std::string html = "<section aria-labelledby=\"events\">\n<h2 id=\"events\">Events</h2>\n";
-    std::vector<std::vector<Cell>> rows;
+    std::vector<TimedRow> rows;
     for (const Event& event : page.attempt.events)
-        rows.push_back({{time_link(page, event.time()), false},
-                        text_cell(in_seat_units(station::told(event))),
-                        {fmt::format("<code>{}</code>", escaped(event.code().to_string())), false}});
+        rows.push_back({event.time(),
+                        {{time_link(page, event.time()), false},
+                         text_cell(in_seat_units(station::told(event))),
+                         {fmt::format("<code>{}</code>", escaped(event.code().to_string())), false}}});
     html += rows.empty() ? "<p>There were none.</p>\n"
-                         : table("What happened, as the server told it", {"time", "what", "code"}, rows);
+                         : timed_tables(page.attempt, "What happened, as the server told it",
+                                        {"time", "what", "code"}, rows);
     if (!page.attempt.lesson.questions.empty()) {
         html += "</section>\n<section aria-labelledby=\"questions\">\n<h2 id=\"questions\">Questions to "
                 "ask</h2>\n<ol>\n";

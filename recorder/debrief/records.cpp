@@ -245,6 +245,7 @@ ordered_json json_of(const Attempt& attempt) {
             {"definition_hash", fmt::format("{:016x}", attempt.definition_hash)},
             {"began", iso_time(origin.began_unix_ns)},
             {"duration", attempt.duration()},
+            {"lesson_over", optional(attempt.lesson_over())},
             {"ended", ended_by(attempt)},
             {"figures", std::move(figures)},
             {"assessment", assessment_json(attempt)},

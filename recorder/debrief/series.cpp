@@ -2,8 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace windlass::debrief {
+
+namespace {
+
+std::optional<Sample> newest(const std::vector<Sample>& extremes) {
+    return extremes.empty() ? std::nullopt : std::optional(extremes.back());
+}
+
+std::optional<Sample> newest_until(const std::vector<Sample>& extremes, double time) {
+    const auto after = std::ranges::upper_bound(extremes, time, {}, &Sample::time);
+    return after == extremes.begin() ? std::nullopt : std::optional(*std::prev(after));
+}
+
+} // namespace
 
 void Series::add(double time, double value) {
     if (!std::isfinite(time) || !std::isfinite(value)) return;
@@ -15,9 +29,25 @@ void Series::add(double time, double value) {
     now.last = sample;
     if (value < now.least.value) now.least = sample;
     if (value > now.largest.value) now.largest = sample;
-    if (!largest_ || value > largest_->value) largest_ = sample;
-    if (!least_ || value < least_->value) least_ = sample;
+    if (rises_.empty() || value > rises_.back().value) rises_.push_back(sample);
+    if (falls_.empty() || value < falls_.back().value) falls_.push_back(sample);
     last_ = sample;
+}
+
+std::optional<Sample> Series::largest() const {
+    return newest(rises_);
+}
+
+std::optional<Sample> Series::least() const {
+    return newest(falls_);
+}
+
+std::optional<Sample> Series::largest_until(double time) const {
+    return newest_until(rises_, time);
+}
+
+std::optional<Sample> Series::least_until(double time) const {
+    return newest_until(falls_, time);
 }
 
 std::vector<Sample> Series::samples() const {

@@ -23,9 +23,12 @@ public:
     /// Times must not fall. A value that is no number is left out.
     void add(double time, double value);
 
-    bool empty() const { return !largest_; }
-    const std::optional<Sample>& largest() const { return largest_; } ///< the first of equal ones
-    const std::optional<Sample>& least() const { return least_; }
+    bool empty() const { return !last_; }
+    std::optional<Sample> largest() const; ///< the first of equal ones
+    std::optional<Sample> least() const;
+    /// The same of what came at or before that time.
+    std::optional<Sample> largest_until(double time) const;
+    std::optional<Sample> least_until(double time) const;
     const std::optional<Sample>& last() const { return last_; }
 
     /// What is drawn, by time.
@@ -39,7 +42,8 @@ private:
     };
     double interval_ = 1;
     std::vector<Interval> intervals_;
-    std::optional<Sample> largest_, least_, last_;
+    std::vector<Sample> rises_, falls_; ///< each that was larger, or smaller, than all before it
+    std::optional<Sample> last_;
 };
 
 } // namespace windlass::debrief

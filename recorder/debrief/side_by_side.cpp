@@ -47,6 +47,11 @@ const Side* worked_side(const Attempt& attempt) {
     return most;
 }
 
+/// s of exercise, at which what counts ends.
+double end_of_what_counts(const Attempt& attempt) {
+    return std::min(attempt.counted_until(), attempt.ended);
+}
+
 /// The members of one lesson, with what is asked of each more than once.
 struct Class {
     std::vector<Beside> all;
@@ -90,6 +95,18 @@ std::string why_no_figures(const Class& of, std::size_t i) {
                                                               : "no lever was moved, and no cable";
 }
 
+/// That some exercises went on after their lessons; empty: none did.
+std::string what_counts(const Class& of) {
+    std::string ends;
+    for (std::size_t i = 0; i < of.size(); ++i)
+        if (const auto over = of.at(i).lesson_over())
+            ends += fmt::format("{}no. {} at {}", ends.empty() ? "" : ", ", i + 1, station::clock(*over));
+    if (ends.empty()) return "";
+    return fmt::format("<p>All that is told here ends with the lesson: {}. What came after that counts for "
+                       "nothing, and stands in the debriefing.</p>\n",
+                       ends);
+}
+
 std::string results_part(const Class& of) {
     std::vector<std::string> columns{"no.", "who", "outcome"};
     std::vector<std::map<std::string, Figure>> figures(of.size());
@@ -125,7 +142,7 @@ std::string results_part(const Class& of) {
         rows.push_back(std::move(row));
     }
     return section("results", "Results",
-                   table("Each exercise; its number stands for it below", columns, rows));
+                   table("Each exercise; its number stands for it below", columns, rows) + what_counts(of));
 }
 
 bool in_play(const Mark* mark) {
@@ -266,18 +283,21 @@ std::string order_words(BridgeOrder order) {
     return station::words(order);
 }
 
-/// Orders, what came of them, reports, brakes, and what the anchor did, each the first time.
+/// Orders, what came of them, reports, brakes, and what the anchor did, each the first time, as far as it
+/// counts.
 std::vector<Deed> deeds_of(const Class& of) {
+    constexpr double kAtOnce = 0.05; // s: a tick or two
     std::vector<Deed> all;
     for (std::size_t i = 0; i < of.size(); ++i) {
+        const Attempt& attempt = of.at(i);
+        const double until = attempt.counted_until();
         const auto add = [&](const std::string& what, std::optional<double> time) {
-            if (!time) return;
+            if (!time || *time > until + kAtOnce) return;
             auto deed = std::ranges::find(all, what, &Deed::what);
             if (deed == all.end())
                 deed = all.insert(all.end(), {what, std::vector<std::optional<double>>(of.size())});
             if (!deed->times[i] || *time < *deed->times[i]) deed->times[i] = time;
         };
-        const Attempt& attempt = of.at(i);
         for (const auto& [order, changed] : attempt.orders)
             add("the bridge orders: " + order_words(order), order.time());
         for (const OrderSaid& said : orders_said(attempt))
@@ -318,7 +338,9 @@ std::string deeds_part(const Class& of) {
                                         of.columns("what"), rows));
 }
 
-std::vector<Sample> moved(std::vector<Sample> samples, double by) {
+/// Those of until then, moved in time.
+std::vector<Sample> moved(std::vector<Sample> samples, double by, double until) {
+    std::erase_if(samples, [until](const Sample& sample) { return sample.time > until; });
     for (Sample& sample : samples)
         sample.time += by;
     return samples;
@@ -337,7 +359,7 @@ std::vector<PlotLine> spread_of(const Class& of, double from, double to) {
         for (std::size_t i = 0; i < of.size(); ++i) {
             const double at = time + of.zero.times[i];
             const Side* side = of.worked[i];
-            if (side == nullptr || at > of.at(i).ended) continue;
+            if (side == nullptr || at > end_of_what_counts(of.at(i))) continue;
             if (const auto value = side->curves[kCableOut].at(at)) values.push_back(*value);
         }
         if (values.empty() || 2 * values.size() < worked) continue;
@@ -363,13 +385,14 @@ std::string plot_part(const Class& of) {
     for (std::size_t i = 0; i < of.size(); ++i) {
         const double zero = of.zero.times[i];
         plot.from = std::min(plot.from, of.at(i).began - zero);
-        plot.to = std::max(plot.to, of.at(i).ended - zero);
+        const double until = of.at(i).counted_until();
+        plot.to = std::max(plot.to, end_of_what_counts(of.at(i)) - zero);
         const Side* side = of.worked[i];
         if (side == nullptr) continue;
         const std::string number = fmt::format("no. {}", i + 1);
-        plot.strips.push_back({number, moved(side->curves[kBrake].samples(), -zero), {}});
+        plot.strips.push_back({number, moved(side->curves[kBrake].samples(), -zero, until), {}});
         plot.lines.push_back({.name = number,
-                              .samples = moved(side->curves[kCableOut].samples(), -zero),
+                              .samples = moved(side->curves[kCableOut].samples(), -zero, until),
                               .style = plot.lines.size()});
     }
     if (plot.strips.empty()) return {};

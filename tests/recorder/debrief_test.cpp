@@ -87,6 +87,35 @@ TEST(DebriefTest, LargestTensionOnThePageIsTheLargestOfTheRecording) {
     EXPECT_DOUBLE_EQ(std::ranges::max(drawn, {}, &Sample::value).value * words::units::tonne, largest);
 }
 
+TEST(DebriefTest, FiguresEndWithTheLessonAndWhatCameAfterItStandsUnderItsEnd) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    EXPECT_FALSE(attempt.lesson_over()) << "the exercise ended with it";
+    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("What counts")));
+    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("After the lesson")));
+    EXPECT_TRUE(json_of(attempt)["lesson_over"].is_null());
+    attempt.assessment->time(30); // and the exercise went on for half a minute: the peak came then
+    const auto figures = figures_of(attempt);
+    const auto value = [&](const char* id) {
+        const auto found = std::ranges::find(figures, id, &Figure::id);
+        return found == figures.end() ? -1 : found->value;
+    };
+    EXPECT_NEAR(value("duration"), 30, 1e-9);
+    EXPECT_NEAR(value("largest_tension_port"), 43'000, 1);
+    EXPECT_NEAR(value("cable_out_port"), 45, 0.3);
+    for (const Moment& moment : moments_of(attempt))
+        if (moment.what.find("largest tension") != std::string::npos) {
+            EXPECT_LE(moment.time, 30);
+        }
+    EXPECT_EQ(json_of(attempt)["lesson_over"], 30);
+    const std::string page = page_of(attempt, {});
+    EXPECT_THAT(page, HasSubstr("<dt>What counts</dt><dd>0:00 to 0:30, when the lesson was over"));
+    const std::string after = "<h3>After the lesson&#39;s end, at 0:30</h3>";
+    EXPECT_EQ(count(page, after), 2) << "key moments and reports";
+    EXPECT_GT(page.find("wrong report: "), page.find(after));
+    EXPECT_LT(page.find("anchor on the bottom"), page.find(after));
+}
+
 TEST(DebriefTest, PageNeedsNothingBesideItself) {
     const Folder folder;
     const Attempt attempt = attempt_of(folder);

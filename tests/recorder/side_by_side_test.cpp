@@ -180,6 +180,18 @@ TEST_F(SideBySide, EachLeadsToItsDebriefing) {
                 HasSubstr("<a href=\"debriefing?recording=recording-1\">Anna &amp; 1</a>"));
 }
 
+TEST_F(SideBySide, WhatCameAfterTheLessonsEndIsLeftOutAndItSaysSo) {
+    Attempt over = attempt_of();
+    const Attempt whole = attempt_of();
+    EXPECT_THAT(page_of({&whole}), Not(HasSubstr("ends with the lesson")));
+    over.assessment->time(30);
+    const std::string page = page_of({&over, &whole});
+    EXPECT_THAT(page, HasSubstr("All that is told here ends with the lesson: no. 1 at 0:30."));
+    EXPECT_THAT(row(page, "reported: on the bottom"), ElementsAre("+0:17", "+0:17"));
+    EXPECT_THAT(row(page, "reported: shackles in water"), ElementsAre("", HasSubstr("+0:2")));
+    EXPECT_THAT(page, HasSubstr("no. 1: 45.0 m at the end. no. 2: 105.4 m at the end."));
+}
+
 TEST_F(SideBySide, WithoutMarksDeedsAreThere) {
     const Attempt first = attempt_of({.assessed = false});
     const std::string page = page_of({&first});
