@@ -66,7 +66,7 @@ public:
     /// Throws IdlError.
     explicit IdlSchema(std::string_view text);
 
-    /// The structure of that name ("windlass::v11::Event"), or nothing.
+    /// The structure of that name ("windlass::v12::Event"), or nothing.
     const Type* find(const std::string& name) const;
 
 private:

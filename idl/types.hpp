@@ -3,7 +3,7 @@
 // it is part of a type's name on the wire and stands in nobody's way in the code.
 
 namespace windlass {
-inline namespace v11 {}
+inline namespace v12 {}
 } // namespace windlass
 
 #include <windlass.h>

@@ -42,13 +42,12 @@ WindlassLevers levers_now(const Sample& now) {
             .emergency_stop = now.emergency_stop()};
 }
 
-/// HelmCommand, ShipState and BridgeView name the same four.
-template <class Sample>
-HelmLevers helm_of(const Sample& sample) {
-    return {.engine = sample.engine(),
-            .rudder = sample.rudder(),
-            .bow_thruster = sample.bow_thruster(),
-            .stern_thruster = sample.stern_thruster()};
+/// As they stand, not what engine, rudder and thrusters do.
+HelmLevers helm_of(const BridgeView& view) {
+    return {.engine = view.engine_ordered(),
+            .rudder = view.rudder_ordered(),
+            .bow_thruster = view.bow_thruster_ordered(),
+            .stern_thruster = view.stern_thruster_ordered()};
 }
 
 WindlassCommand to_command(const WindlassLevers& levers, int side, const Origin& origin) {
@@ -112,10 +111,11 @@ LeverSet LeverSender::get() const {
     LeverSet set;
     if (tackle.view) set.windlass = levers_now(*tackle.view);
     if (tackle.load) set.windlass = levers_now(*tackle.load);
+    const double speed_lever = set.windlass.speed_lever;
     if (const auto& levers = tackle.levers_in_force()) set.windlass = levers_of(*levers);
+    // What was commanded last stands, but for this one, which has sprung back if that hand is gone.
+    if (tackle.view || tackle.load) set.windlass.speed_lever = speed_lever;
     if (picture.bridge) set.helm = helm_of(*picture.bridge);
-    if (picture.ship) set.helm = helm_of(*picture.ship);
-    if (const auto& helm = picture.helm_in_force()) set.helm = helm_of(*helm);
     keep_in_range(set);
     const std::scoped_lock lock{mutex_};
     return {windlass_taken_ ? set_.windlass : set.windlass, helm_taken_ ? set_.helm : set.helm};

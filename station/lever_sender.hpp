@@ -64,9 +64,9 @@ public:
     LeverSender(const LeverSender&) = delete;
     LeverSender& operator=(const LeverSender&) = delete;
 
-    /// Set points of this station. While it has moved none of a windlass or of the helm they are as found:
-    /// what is commanded where somebody commands, otherwise what the windlass and the ship show. So it takes
-    /// over without moving anything.
+    /// Set points of this station. While it has moved none of a windlass or of the helm they are as found: of
+    /// a windlass what was commanded last, otherwise what it shows, and its speed lever as it shows it; of
+    /// the helm what the server has, whoever ordered it. So it takes over without moving anything.
     LeverSet get() const;
 
     /// Moves the levers: change gets the present set points. Values are kept within their range.

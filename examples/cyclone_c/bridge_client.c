@@ -9,8 +9,8 @@
  * came, the last brake position and lever that the server showed, and the last force of each cable on the
  * ship. Exit codes: 0 every topic was heard that always comes, 1 not, 2 bad arguments, 3 DDS did not start.
  *
- * The names of the types have the version of the wire in them (windlass::v11::ShipState, here
- * windlass_v11_ShipState): made from the IDL of another version, this client would meet nobody.
+ * The names of the types have the version of the wire in them (windlass::v12::ShipState, here
+ * windlass_v12_ShipState): made from the IDL of another version, this client would meet nobody.
  */
 #include "join.h"
 #include "windlass.h"
@@ -30,38 +30,38 @@ struct heard {
 };
 
 static struct heard topics[] = {
-    {"ExerciseStatus", &windlass_v11_ExerciseStatus_desc, true, true, 0, 0},
-    {"EnvironmentState", &windlass_v11_EnvironmentState_desc, true, true, 0, 0},
-    {"SceneDescription", &windlass_v11_SceneDescription_desc, true, true, 0, 0},
-    {"ShipState", &windlass_v11_ShipState_desc, false, true, 0, 0},
-    {"AnchorState", &windlass_v11_AnchorState_desc, false, true, 0, 0},
-    {"ChainState", &windlass_v11_ChainState_desc, false, true, 0, 0},
-    {"WindlassLoad", &windlass_v11_WindlassLoad_desc, false, true, 0, 0},
-    {"CableForce", &windlass_v11_CableForce_desc, false, true, 0, 0},
-    {"BridgeView", &windlass_v11_BridgeView_desc, false, true, 0, 0},
-    {"BridgeEvent", &windlass_v11_SeatEvent_desc, true, false, 0, 0},
-    {"BridgeOrder", &windlass_v11_BridgeOrder_desc, true, false, 0, 0},
-    {"Alert", &windlass_v11_Alert_desc, true, false, 0, 0},
+    {"ExerciseStatus", &windlass_v12_ExerciseStatus_desc, true, true, 0, 0},
+    {"EnvironmentState", &windlass_v12_EnvironmentState_desc, true, true, 0, 0},
+    {"SceneDescription", &windlass_v12_SceneDescription_desc, true, true, 0, 0},
+    {"ShipState", &windlass_v12_ShipState_desc, false, true, 0, 0},
+    {"AnchorState", &windlass_v12_AnchorState_desc, false, true, 0, 0},
+    {"ChainState", &windlass_v12_ChainState_desc, false, true, 0, 0},
+    {"WindlassLoad", &windlass_v12_WindlassLoad_desc, false, true, 0, 0},
+    {"CableForce", &windlass_v12_CableForce_desc, false, true, 0, 0},
+    {"BridgeView", &windlass_v12_BridgeView_desc, false, true, 0, 0},
+    {"BridgeEvent", &windlass_v12_SeatEvent_desc, true, false, 0, 0},
+    {"BridgeOrder", &windlass_v12_BridgeOrder_desc, true, false, 0, 0},
+    {"Alert", &windlass_v12_Alert_desc, true, false, 0, 0},
 };
 enum { kTopics = sizeof topics / sizeof *topics };
 
 /* What is shown at the end. */
 struct shown {
     double brake, speed_lever;             /* of the port windlass */
-    windlass_v11_Vec3 force, hawse[kSides]; /* N, of all cables and of each */
+    windlass_v12_Vec3 force, hawse[kSides]; /* N, of all cables and of each */
 };
 
-static void show_load(const windlass_v11_WindlassLoad* load, struct shown* shown) {
-    if (load->side != windlass_v11_SIDE_PORT) return;
+static void show_load(const windlass_v12_WindlassLoad* load, struct shown* shown) {
+    if (load->side != windlass_v12_SIDE_PORT) return;
     shown->brake = load->brake_position;
     shown->speed_lever = load->speed_lever;
 }
 
 /* The sequence is the middleware's, and gone with its loan: what is needed of it is copied. */
-static void show_force(const windlass_v11_CableForce* cables, struct shown* shown) {
+static void show_force(const windlass_v12_CableForce* cables, struct shown* shown) {
     shown->force = cables->force;
     for (uint32_t i = 0; i < cables->hawse._length; ++i) {
-        const windlass_v11_HawseForce* hawse = &cables->hawse._buffer[i];
+        const windlass_v12_HawseForce* hawse = &cables->hawse._buffer[i];
         if (hawse->side >= 0 && hawse->side < kSides) shown->hawse[hawse->side] = hawse->force;
     }
 }
@@ -80,7 +80,7 @@ static void take(struct heard* topic, struct shown* shown) {
     if (taken > 0) dds_return_loan(topic->reader, samples, taken);
 }
 
-static void print_force(const char* of, const windlass_v11_Vec3* force) {
+static void print_force(const char* of, const windlass_v12_Vec3* force) {
     printf("%s force %.0f %.0f %.0f N\n", of, force->x, force->y, force->z);
 }
 
@@ -95,11 +95,11 @@ int main(int argc, char** argv) {
         topics[i].reader =
             reader(&member, topics[i].name, topics[i].type, topics[i].reliable, topics[i].reliable, kDepth);
     const dds_entity_t writer =
-        exclusive_writer(&member, "WindlassCommand", &windlass_v11_WindlassCommand_desc, true, kTrainee);
+        exclusive_writer(&member, "WindlassCommand", &windlass_v12_WindlassCommand_desc, true, kTrainee);
 
-    windlass_v11_WindlassCommand command;
+    windlass_v12_WindlassCommand command;
     memset(&command, 0, sizeof command);
-    command.side = windlass_v11_SIDE_PORT;
+    command.side = windlass_v12_SIDE_PORT;
     strcpy(command.origin.source, "bridge");
     command.brake = strtod(argv[4], NULL);
     command.speed_lever = strtod(argv[5], NULL);
@@ -126,8 +126,8 @@ int main(int argc, char** argv) {
         missing += topics[i].always && topics[i].count == 0;
     }
     printf("brake %.3f speed_lever %.3f\n", shown.brake, shown.speed_lever);
-    print_force("port", &shown.hawse[windlass_v11_SIDE_PORT]);
-    print_force("starboard", &shown.hawse[windlass_v11_SIDE_STARBOARD]);
+    print_force("port", &shown.hawse[windlass_v12_SIDE_PORT]);
+    print_force("starboard", &shown.hawse[windlass_v12_SIDE_STARBOARD]);
     print_force("all", &shown.force);
     dds_delete(member.participant);
     return missing == 0 ? 0 : 1;

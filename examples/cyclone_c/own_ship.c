@@ -37,12 +37,12 @@ int main(int argc, char** argv) {
     }
     const struct member member = join(argv[1], argv[2]);
     const int seconds = atoi(argv[3]);
-    const dds_entity_t states = reader(&member, "ShipState", &windlass_v11_ShipState_desc, false, false, 1);
-    const dds_entity_t forces = reader(&member, "CableForce", &windlass_v11_CableForce_desc, false, false, 1);
+    const dds_entity_t states = reader(&member, "ShipState", &windlass_v12_ShipState_desc, false, false, 1);
+    const dds_entity_t forces = reader(&member, "CableForce", &windlass_v12_CableForce_desc, false, false, 1);
     const dds_entity_t writer =
-        exclusive_writer(&member, "OwnShipInput", &windlass_v11_OwnShipInput_desc, false, kStrength);
+        exclusive_writer(&member, "OwnShipInput", &windlass_v12_OwnShipInput_desc, false, kStrength);
 
-    windlass_v11_ShipState shown;
+    windlass_v12_ShipState shown;
     memset(&shown, 0, sizeof shown);
     const dds_time_t patience = dds_time() + DDS_SECS(20);
     while (!newest(states, &shown, sizeof shown) && dds_time() < patience)
@@ -52,14 +52,14 @@ int main(int argc, char** argv) {
         return 1;
     }
 
-    windlass_v11_OwnShipInput ship;
+    windlass_v12_OwnShipInput ship;
     memset(&ship, 0, sizeof ship);
     strcpy(ship.origin.source, "ship");
     ship.position = shown.position;
     ship.attitude = shown.attitude;
     ship.velocity = shown.velocity;
     /* The sequence of CableForce goes back with its loan: only the force is read. */
-    windlass_v11_CableForce cables;
+    windlass_v12_CableForce cables;
     memset(&cables, 0, sizeof cables);
     double off = INFINITY, largest = 0;
     const double dt = 1.0 / (kSamplesPerSecond * kStepsPerSample), heave_rate = 2 * kPi / 10;

@@ -42,7 +42,7 @@ std::string recording_id(const mcap::Reader& file) {
     return said != nullptr && said->contains("recording") ? said->at("recording") : std::string();
 }
 
-/// Of a type's name: "windlass::v11::Event" 11, "windlass::Event" 1 (before versions had numbers); 0: no type
+/// Of a type's name: "windlass::v12::Event" 12, "windlass::Event" 1 (before versions had numbers); 0: no type
 /// of ours.
 int version_in(std::string_view type) {
     constexpr std::string_view ours = "windlass::";

@@ -363,7 +363,7 @@ void Exercise::view_unhashed(Snapshot& s) const {
     s.sea.ramp_end = sea.ramp_end();
     s.sea.waves.reserve(kMaxWaveComponents); // all that it may ever need, taken the first time
     s.sea.waves.assign(sea.components().begin(), sea.components().end());
-    view_ship(ship, w.own_ship.answers(), s.ship);
+    view_ship(ship, w.own_ship.helm(), w.own_ship.answers(), s.ship);
     s.cable_force = w.own_ship.pull().force;
     s.cable_moment = {0, 0,
                       -w.own_ship.pull().moment}; // clockwise seen from above is about the z axis downwards

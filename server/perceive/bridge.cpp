@@ -77,6 +77,12 @@ void perceive_bridge(const exercise::Snapshot& from, const SeatShip& ship, Bridg
     to.bow_thruster(own.bow_thruster);
     to.stern_thruster(own.stern_thruster);
 
+    // Telegraph, wheel and levers, as they stand
+    to.engine_ordered(own.engine_ordered);
+    to.rudder_ordered(own.rudder_ordered);
+    to.bow_thruster_ordered(own.bow_thruster_ordered);
+    to.stern_thruster_ordered(own.stern_thruster_ordered);
+
     // Anemometer
     const ApparentWind wind = apparent_wind(from);
     to.anemometer_works(works.anemometer);

@@ -7,6 +7,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -66,6 +67,21 @@ constexpr const char* kNotFinite = "its state ceased to be finite";
 bool is_stream(const exercise::Order& command) {
     return LeverOwnership::levers_of(command).has_value() ||
            std::holds_alternative<exercise::OwnShipSample>(command);
+}
+
+/// Whether the picture has those levers where they stand, as far as they get there without a tick.
+bool shows_levers(LeverGroup levers, const exercise::Exercise& exercise, const exercise::Snapshot& seen) {
+    if (levers == LeverGroup::helm) {
+        const exercise::ShipView& ship = seen.ship;
+        return exercise.helm() == exercise::HelmOrder{ship.engine_ordered, ship.rudder_ordered,
+                                                      ship.bow_thruster_ordered, ship.stern_thruster_ordered};
+    }
+    const auto side = static_cast<exercise::Side>(levers);
+    const exercise::WindlassOrder order = exercise.levers(side);
+    return std::ranges::all_of(seen.tackle, [&](const exercise::TackleView& tackle) {
+        return tackle.side != side || (tackle.windlass.speed_lever == order.speed_lever &&
+                                       tackle.windlass.emergency_stop == order.emergency_stop);
+    });
 }
 
 } // namespace
@@ -243,7 +259,8 @@ void Session::carry_out(const exercise::Order& command, const ReceivedOrder& fro
     }
     // A foreign ship that sails on while the exercise stands still leaves it.
     if (!running() && std::holds_alternative<exercise::OwnShipSample>(command)) return;
-    if (const auto levers = LeverOwnership::levers_of(command); levers && !take_levers(*levers, from)) return;
+    const auto levers = LeverOwnership::levers_of(command);
+    if (levers && !take_levers(*levers, from)) return;
     if (const auto* word = std::get_if<exercise::AssessorsWord>(&command);
         word != nullptr && !judged(*word, source))
         return;
@@ -256,8 +273,8 @@ void Session::carry_out(const exercise::Order& command, const ReceivedOrder& fro
     const auto* fault = std::get_if<exercise::FaultOrder>(&command);
     if (fault != nullptr && fault->trigger == exercise::FaultTrigger::at_chance && !fault->clear)
         apply(exercise::ChanceDrawn{draw()}, kServerName);
-    // Faults and weather ordered while the exercise stands still are seen at once, not at its next tick.
-    if (!running() && !is_stream(command)) look();
+    // What is ordered while the exercise stands still is seen at once, not at its next tick.
+    if (!running() && !(levers && shows_levers(*levers, exercise_, snapshot_))) look();
 }
 
 void Session::apply(const exercise::Order& command, const std::string& source) {

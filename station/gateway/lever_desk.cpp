@@ -25,6 +25,7 @@ bool LeverDesk::put(Hand hand, Page page, const nlohmann::json& sample, Clock::t
                 listened_until,
                 goes_on ? silent(hand).own : now,
                 now};
+        if (!goes_on && silent(hand).page != nullptr) overruled(hand).insert(silent(hand).page);
         silent(hand) = {};
         if (!goes_on && take_over_) take_over_(hand);
     } else {

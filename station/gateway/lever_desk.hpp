@@ -47,8 +47,9 @@ public:
           run_heard_{std::move(run_heard)} {}
 
     /// Set points of that page: written at once when they differ, and again with each tick. False: another
-    /// page has these levers. Nothing of a page from which another station has taken them counts before it
-    /// has let go: it may not have heard of that yet.
+    /// page has these levers. Nothing of a page from which another station has taken them, or another page
+    /// while it was silent for too long, counts before it has let go: it may not have heard of that yet, and
+    /// its levers are not where the other has left them.
     bool put(Hand hand, Page page, const nlohmann::json& sample, Clock::time_point now);
 
     /// The word that counts on these levers, by what DDS lets everybody hear, is our own.
@@ -92,7 +93,7 @@ private:
     RunHeard run_heard_;
     std::array<Held, 3> held_;
     std::array<Held, 3> silent_; // hands that were given up for silence, and have not been let go since
-    std::array<std::set<Page>, 3> overruled_; // pages that have yet to let go of what another station took
+    std::array<std::set<Page>, 3> overruled_; // pages that have yet to let go of what another took
 };
 
 } // namespace windlass::gateway

@@ -101,6 +101,28 @@ describe("the helm", () => {
     await eventually("stop", async () => /^ordered stop/.test(await reads(telegraph())));
   });
 
+  test("what another page of the station ordered meanwhile stands when this one comes back, and one lever moves no other", async () => {
+    await page.keyboard.press("w");
+    await eventually("dead slow ahead", async () => /^ordered dead slow ahead/.test(await reads(telegraph())));
+    await page.getByRole("button", { name: "Leave helm" }).click();
+    const other = await open(station.url);
+    const there = other.getByRole("slider", { name: "engine telegraph" });
+    await eventually("it stands there, too", async () => /^ordered dead slow ahead/.test(await reads(there)));
+    await other.keyboard.press("s");
+    await eventually("stop", async () => /^ordered stop/.test(await reads(there)));
+    hadNoProblems(other);
+    await closePage(other);
+    await eventually("it stands here, too", async () => /^ordered stop/.test(await reads(telegraph())));
+    await page.keyboard.press("z");
+    await eventually("the helm is this page's", async () => (await owner()) === "mine");
+    await rig.truly("the engine comes to a stop", ({ ship }) => Math.abs(ship.engine) < 0.01);
+    assert.match(await reads(telegraph()), /^ordered stop/);
+    await eventually("no alert is left", async () => {
+      await page.keyboard.press("F2");
+      return /^\W*no alerts/.test(await page.locator(".alert-button").textContent());
+    });
+  });
+
   test("the wheel is turned round its hub, by a and d, and goes amidships by z", async () => {
     const { width, height } = await wheel().boundingBox();
     const unit = Math.min(width / 300, height / 254); // of the drawing, as it fits into its box
@@ -361,7 +383,7 @@ test("an instrument that fails shows a mark and no figure, a dead VHF is said to
   // The server models none of most of these faults yet; the page is sent what one that does would send. BridgeView
   // has a byte for each instrument behind its figures, which stay as they are: the page must not show them.
   const kWorks = ["gps", "gyro", "log", "anemometer", "echo_sounder", "vhf", "cctv"];
-  const kFlags = 13 + 4 + 8 + 20 * 8; // bytes: message's head, CDR's, tick, 20 figures
+  const kFlags = 13 + 4 + 8 + 24 * 8; // bytes: message's head, CDR's, tick, 24 figures
   const failed = new Set<string>();
   let channel: number;
   const failing = await openPage(station.url);

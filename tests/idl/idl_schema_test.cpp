@@ -18,8 +18,8 @@ TEST(IdlSchema, KnowsTheTypeOfEveryTopicByTheNameOfThisVersion) {
         EXPECT_NE(own_schema().find(wire::type_name(row)), nullptr) << row.name;
     for (const auto& row : wire::topics::classroom)
         EXPECT_NE(own_schema().find(wire::type_name(row)), nullptr) << row.name;
-    EXPECT_EQ(wire::type_name(wire::topics::server_alert), "windlass::v11::Alert");
-    EXPECT_EQ(own_schema().find("windlass::v11::ServerAlert"), nullptr);
+    EXPECT_EQ(wire::type_name(wire::topics::server_alert), "windlass::v12::Alert");
+    EXPECT_EQ(own_schema().find("windlass::v12::ServerAlert"), nullptr);
     EXPECT_EQ(own_schema().find("windlass::ShipState"), nullptr) << "a type of version 1";
 }
 
@@ -88,12 +88,12 @@ TEST(IdlSchema, KnowsKeysAndTheBoundsOfTexts) {
 TEST(IdlSchema, NamesAreLookedForFromTheInnermostModuleOutwards) {
     const IdlSchema schema("struct A { long of_none; };\n"
                            "module a { struct A { long of_a; };\n"
-                           "module v11 { struct B { A first; a::A second; }; struct A { long own; };\n"
+                           "module v12 { struct B { A first; a::A second; }; struct A { long own; };\n"
                            "struct C { A third; }; }; };");
-    const auto& b = *schema.find("a::v11::B");
+    const auto& b = *schema.find("a::v12::B");
     EXPECT_EQ(b.members[0].type->name, "a::A");
     EXPECT_EQ(b.members[1].type->name, "a::A");
-    EXPECT_EQ(schema.find("a::v11::C")->members[0].type->name, "a::v11::A");
+    EXPECT_EQ(schema.find("a::v12::C")->members[0].type->name, "a::v12::A");
 }
 
 TEST(IdlSchema, WhatIsNotUnderstoodIsToldWithItsLine) {

@@ -222,6 +222,10 @@ const std::vector<Field>& fields() {
         SEEN(ship, rudder),
         SEEN(ship, bow_thruster),
         SEEN(ship, stern_thruster),
+        SEEN(ship, engine_ordered),
+        SEEN(ship, rudder_ordered),
+        SEEN(ship, bow_thruster_ordered),
+        SEEN(ship, stern_thruster_ordered),
 
         SEEN(tackle, side),
         PART(tackle, anchor),

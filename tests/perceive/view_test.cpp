@@ -324,6 +324,19 @@ TEST(Bridge, GpsIsCoarse) {
     EXPECT_EQ(bridge(s).course_over_ground(), 0); // none at rest
 }
 
+TEST(Bridge, TelegraphWheelAndLeversStandWhereTheyWerePutWhateverComesOfIt) {
+    Snapshot s = riding();
+    s.ship.engine = 0.1, s.ship.engine_ordered = 0.7;
+    s.ship.rudder_ordered = -0.2;
+    s.ship.bow_thruster_ordered = 0.5, s.ship.stern_thruster_ordered = -0.5;
+    const BridgeView view = bridge(s);
+    EXPECT_EQ(view.engine(), 0.1);
+    EXPECT_EQ(view.engine_ordered(), 0.7);
+    EXPECT_EQ(view.rudder_ordered(), -0.2);
+    EXPECT_EQ(view.bow_thruster_ordered(), 0.5);
+    EXPECT_EQ(view.stern_thruster_ordered(), -0.5);
+}
+
 TEST(Bridge, TheLogGoesThroughTheWaterAtTheKeel) {
     Snapshot s = riding();
     s.ship.heading = 0;

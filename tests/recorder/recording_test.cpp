@@ -166,19 +166,19 @@ TEST(RecordingTest, OfAnotherVersionOfTheWireIsRefusedAtOnceWithBothVersions) {
     EXPECT_EQ(
         refusal(folder / "monday"),
         (folder / "monday").string() +
-            " is of version 1 of the wire, this program of version 11: use the programs of version 1, or "
+            " is of version 1 of the wire, this program of version 12: use the programs of version 1, or "
             "any MCAP reader, since the file has its types with it");
-    make_file(folder / "12.mcap", "windlass::v12::ShipState", {{"recording", "x"}, {"wire_version", "12"}});
-    EXPECT_THAT(refusal(folder / "12.mcap"), HasSubstr("12.mcap is of version 12 of the wire"));
-    make_file(folder / "10.mcap", "windlass::v10::ShipState", {{"recording", "x"}, {"wire_version", "10"}});
-    EXPECT_THAT(refusal(folder / "10.mcap"), HasSubstr("10.mcap is of version 10 of the wire"));
+    make_file(folder / "13.mcap", "windlass::v13::ShipState", {{"recording", "x"}, {"wire_version", "13"}});
+    EXPECT_THAT(refusal(folder / "13.mcap"), HasSubstr("13.mcap is of version 13 of the wire"));
+    make_file(folder / "11.mcap", "windlass::v11::ShipState", {{"recording", "x"}, {"wire_version", "11"}});
+    EXPECT_THAT(refusal(folder / "11.mcap"), HasSubstr("11.mcap is of version 11 of the wire"));
     // Whoever wrote it, and however little of it is left.
     make_file(folder / "foreign.mcap", "windlass::ShipState", {});
     EXPECT_THAT(refusal(folder / "foreign.mcap"), HasSubstr("is of version 1 of the wire"));
     make_file(folder / "cut.mcap", "windlass::ShipState", {{"recording", "x"}}, 110);
     EXPECT_THAT(refusal(folder / "cut.mcap"), HasSubstr("is of version 1 of the wire"));
-    make_file(folder / "11.mcap", "windlass::v11::ShipState", {{"recording", "x"}, {"wire_version", "11"}});
-    EXPECT_EQ(refusal(folder / "11.mcap"), "none");
+    make_file(folder / "12.mcap", "windlass::v12::ShipState", {{"recording", "x"}, {"wire_version", "12"}});
+    EXPECT_EQ(refusal(folder / "12.mcap"), "none");
     make_file(folder / "theirs.mcap", "their::ShipState", {});
     EXPECT_EQ(refusal(folder / "theirs.mcap"), "none") << "nothing of ours: it says nothing of a version";
 }
@@ -190,9 +190,9 @@ TEST(TapeTest, SaysWhichVersionOfTheWireItIs) {
     tape.close({});
     Recording recording({folder / "r"});
     const auto& file = *recording.files()[0];
-    EXPECT_EQ(file.metadata().at(0).entries.at("wire_version"), "11");
+    EXPECT_EQ(file.metadata().at(0).entries.at("wire_version"), "12");
     ASSERT_EQ(file.schemas().size(), 1U);
-    EXPECT_EQ(file.schemas().begin()->second.name, "windlass::v11::WindlassCommand")
+    EXPECT_EQ(file.schemas().begin()->second.name, "windlass::v12::WindlassCommand")
         << "its type's, not its own";
     EXPECT_EQ(file.channels().begin()->second.topic, "InstructorWindlassCommand");
 }
@@ -302,7 +302,7 @@ TEST(FiguresTest, CountRatesGapsLossesAndLatencies) {
     const auto figures = figures_of(recording);
     ASSERT_THAT(figures.topics, SizeIs(1));
     const auto& topic = figures.topics[0];
-    EXPECT_EQ(topic.type, "windlass::v11::ShipState");
+    EXPECT_EQ(topic.type, "windlass::v12::ShipState");
     EXPECT_EQ(topic.messages, 570U);
     EXPECT_EQ(topic.lost, 30U);
     EXPECT_NEAR(topic.rate(), 569 / (599 / 60.0), 1e-6);

@@ -114,6 +114,44 @@ TEST_F(SessionTest, HelmThatNobodyHasStaysAsItIsAndAnAlertTellsOfIt) {
     EXPECT_EQ(session.snapshot().ship.bow_thruster, 0.25);
 }
 
+// A page that comes to the helm takes it by this picture, whoever ordered what it shows.
+TEST_F(SessionTest, PictureHasTheHelmAsAnybodyOrderedItLastAlsoWhileTheExerciseStandsStill) {
+    Session session({}, options());
+    const auto ordered = [&] {
+        const auto& ship = session.snapshot().ship;
+        return exercise::HelmOrder{ship.engine_ordered, ship.rudder_ordered, ship.bow_thruster_ordered,
+                                   ship.stern_thruster_ordered};
+    };
+    const exercise::HelmOrder slow{.engine = 0.4, .rudder = 0.1, .bow_thruster = 0.5, .stern_thruster = -0.5};
+    const exercise::HelmOrder stop{.rudder = 0.1};
+    give(session, exercise::Order{slow}, 10, "trainee-1");
+    session.tick();
+    EXPECT_EQ(ordered(), slow);
+    EXPECT_LT(session.snapshot().ship.engine, 0.4) << "it has only begun to follow";
+    give(session, exercise::Order{stop}, 10.1, "trainee-2");
+    hear_nothing(session, 10.1, 20);
+    session.tick();
+    EXPECT_EQ(ordered(), stop) << "nobody has the helm any more";
+    give(session,
+         exercise::Order{exercise::FaultOrder{.code = exercise::FaultCode::telegraph_failed, .severity = 1}},
+         20);
+    give(session, exercise::Order{slow}, 20, "trainee-1");
+    session.tick();
+    EXPECT_EQ(ordered(), slow) << "the telegraph stands there, though nobody hears it";
+    give(session, run_order(RunAction::pause), 20.1);
+    give(session, exercise::Order{stop}, 20.2, "trainee-1");
+    EXPECT_EQ(ordered(), stop);
+}
+
+TEST_F(SessionTest, PictureHasASpeedLeverAndAnEmergencyStopThatAreMovedWhileTheExerciseStandsStill) {
+    Session session({}, options());
+    give(session, run_order(RunAction::pause));
+    const exercise::WindlassOrder moved{.speed_lever = -0.5, .emergency_stop = true};
+    give(session, exercise::Order{moved}, 10, "trainee-1");
+    EXPECT_EQ(session.snapshot().tackle[0].windlass.speed_lever, -0.5);
+    EXPECT_TRUE(session.snapshot().tackle[0].windlass.emergency_stop);
+}
+
 TEST_F(SessionTest, ResetTakesTheLeversOutOfEveryHandWithoutAnAlert) {
     Session session({}, options());
     give(session, levers(0.5), 10, "trainee-1");

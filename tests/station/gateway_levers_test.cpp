@@ -182,6 +182,23 @@ TEST(LeverDesk, AHandThatWasSilentGoesOnAndTakesNothingOver) {
     EXPECT_EQ(desk.taken_over, 2);
 }
 
+// Else its levers, as they lay when it fell silent, would undo what the other has done.
+TEST(LeverDesk, AHandThatWasSilentDoesNotGoOnWhereAnotherPageHasHadTheLevers) {
+    Desk desk;
+    const int one = 0, other = 0;
+    EXPECT_TRUE(desk.levers.put(Hand::helm, &one, 1, kBegin));
+    auto now = tick(desk, kBegin, kBegin + kSilent + 100ms);
+    EXPECT_TRUE(desk.levers.put(Hand::helm, &other, 5, now));
+    desk.levers.let_go(Hand::helm, &other);
+    desk.told();
+    EXPECT_TRUE(desk.levers.put(Hand::helm, &one, 1, now + 1s)); // it was told, and has not heard of it yet
+    EXPECT_THAT(desk.told(), IsEmpty());
+    EXPECT_EQ(desk.levers.holder(Hand::helm), nullptr);
+    desk.levers.let_go(Hand::helm, &one);
+    EXPECT_TRUE(desk.levers.put(Hand::helm, &one, 6, now + 2s)) << "it takes them as they are";
+    EXPECT_THAT(desk.told(), ElementsAre("helm 6", "helm taken"));
+}
+
 TEST(LeverDesk, AHandThatIsNeverHeardBesideAnotherDoesNotKeepTheLevers) {
     Desk desk;
     const int page = 0;

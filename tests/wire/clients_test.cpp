@@ -134,6 +134,43 @@ TEST(LeverSender, OfAnInstructorSendsOnTheInstructorsTopic) {
     }));
 }
 
+TEST(LeverSender, FindsASpeedLeverThatHasSprungBackAndNotWhereAHandThatIsGoneHadIt) {
+    wire::Participant server{session("server")};
+    wire::Writer<ForecastleView> forecastle{server, wire::topics::forecastle_view};
+    wire::Writer<WindlassCommand> gone{server, wire::topics::windlass_command,
+                                       station::LeverSender::kStrength};
+    station::Client client{session("trainee"), station::Seat::trainee};
+    const station::LeverSender levers{client, SIDE_PORT};
+    ForecastleView view;
+    view.brake_position(0.5);
+    WindlassCommand heaving;
+    heaving.brake(0.25), heaving.speed_lever(0.5);
+    ASSERT_TRUE(eventually([&] { // a stream is best-effort
+        forecastle.write(view), gone.write(heaving);
+        const station::Picture now = client.picture();
+        return now.tackle[SIDE_PORT].view && now.tackle[SIDE_PORT].levers;
+    }));
+    EXPECT_EQ(levers.get().windlass.speed_lever, 0);
+    EXPECT_EQ(levers.get().windlass.brake, 0.25);
+}
+
+TEST(LeverSender, FindsTheHelmAsItIsOrderedWhateverTheShipDoesYet) {
+    wire::Participant server{session("server")};
+    wire::Writer<BridgeView> bridge{server, wire::topics::bridge_view};
+    station::Client client{session("trainee"), station::Seat::trainee};
+    const station::LeverSender levers{client, SIDE_PORT};
+    BridgeView view;
+    view.engine(0.1), view.engine_ordered(0.4);
+    view.rudder_ordered(0.2), view.bow_thruster_ordered(-0.5), view.stern_thruster_ordered(0.5);
+    ASSERT_TRUE(eventually([&] { // a stream is best-effort
+        bridge.write(view);
+        return bool(client.picture().bridge);
+    }));
+    EXPECT_EQ(
+        levers.get().helm,
+        (station::HelmLevers{.engine = 0.4, .rudder = 0.2, .bow_thruster = -0.5, .stern_thruster = 0.5}));
+}
+
 /// A server that publishes one truth and one view.
 TEST(Client, HearsWhatItsSeatMayAndNothingElse) {
     wire::Participant server{session("server")};

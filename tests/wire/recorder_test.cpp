@@ -151,8 +151,8 @@ TEST(RecorderProgram, ReadersOfOthersDecodeEveryMessageOfEveryTopic) {
         EXPECT_TRUE(expected.contains("OrderTaken"));
         for (const auto& [topic, messages] : expected)
             EXPECT_EQ(found["topics"][topic]["messages"], messages) << topic;
-        EXPECT_EQ(found["topics"]["ServerAlert"]["type"], "windlass::v11::Alert");
-        EXPECT_EQ(found["topics"]["InstructorHelmCommand"]["type"], "windlass::v11::HelmCommand");
+        EXPECT_EQ(found["topics"]["ServerAlert"]["type"], "windlass::v12::Alert");
+        EXPECT_EQ(found["topics"]["InstructorHelmCommand"]["type"], "windlass::v12::HelmCommand");
         EXPECT_EQ(found["topics"]["ShipState"]["last_time"], 3.0) << "decoded, not only counted";
         EXPECT_THAT(found["attachments"], Contains("ships/bulk_carrier_225m.json"));
     }

@@ -73,9 +73,11 @@ struct ShipView {
     physics::Vec3 velocity = physics::Vec3::Zero();
     double surge = 0, sway = 0, yaw_rate = 0;
     double engine = 0, rudder = 0, bow_thruster = 0, stern_thruster = 0;
+    double engine_ordered = 0, rudder_ordered = 0, bow_thruster_ordered = 0, stern_thruster_ordered = 0;
 };
 WINDLASS_FIELDS(ShipView, position, attitude, heading, velocity, surge, sway, yaw_rate, engine, rudder,
-                bow_thruster, stern_thruster)
+                bow_thruster, stern_thruster, engine_ordered, rudder_ordered, bow_thruster_ordered,
+                stern_thruster_ordered)
 
 struct AnchorView {
     AnchorPhase phase = AnchorPhase::hanging;

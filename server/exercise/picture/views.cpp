@@ -35,14 +35,17 @@ void view_marks(const physics::GroundTackle& tackle, double cable_out, std::vect
 
 } // namespace
 
-void view_ship(const physics::ShipState& ship, const physics::Helm& helm, ShipView& view) {
+void view_ship(const physics::ShipState& ship, const physics::Helm& ordered, const physics::Helm& answers,
+               ShipView& view) {
     view.position = physics::midships(ship);
     view.attitude = physics::attitude(ship);
     view.heading = ship.heading < 0 ? ship.heading + 2 * std::numbers::pi : ship.heading;
     view.velocity = physics::ship_velocity(ship) + physics::wave_velocity(ship);
     view.surge = ship.surge, view.sway = ship.sway, view.yaw_rate = ship.yaw_rate;
     view.engine = ship.engine, view.rudder = ship.rudder;
-    view.bow_thruster = helm.bow_thruster, view.stern_thruster = helm.stern_thruster;
+    view.bow_thruster = answers.bow_thruster, view.stern_thruster = answers.stern_thruster;
+    view.engine_ordered = ordered.engine, view.rudder_ordered = ordered.rudder;
+    view.bow_thruster_ordered = ordered.bow_thruster, view.stern_thruster_ordered = ordered.stern_thruster;
 }
 
 void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase,

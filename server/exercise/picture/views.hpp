@@ -7,7 +7,9 @@
 
 namespace windlass::exercise {
 
-void view_ship(const physics::ShipState& ship, const physics::Helm& helm, ShipView& view);
+/// ordered: her helm as it stands; answers: what of it she hears.
+void view_ship(const physics::ShipState& ship, const physics::Helm& ordered, const physics::Helm& answers,
+               ShipView& view);
 void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase,
                  const physics::EnvironmentDef& environment, AnchorView& view);
 /// heading: ship's, rad; the cable's lead is counted from her bow.

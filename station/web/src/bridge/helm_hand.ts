@@ -1,11 +1,11 @@
-// Telegraph, wheel and thruster levers in this page's hand: as found at first, by their orders where these are known,
-// then as the hand moves them.
+// Telegraph, wheel and thruster levers in this page's hand: as the server has them at first, whoever ordered them, then
+// as the hand moves them.
 
-import { type Authority, helmAuthority } from "../kit/authority";
+import { type Authority, helmAuthority, helmOrdered } from "../kit/authority";
 import type { Connection, HelmLevers } from "../wire/connection";
 import type { HelmCommand } from "../wire/generated";
 import { t } from "../kit/language";
-import { LastHelm } from "./last_helm";
+import { Kept } from "./kept";
 
 /** Telegraph orders, share of full thrust; tuned to what the model's engine makes of them. */
 export const kTelegraph = [-1, -0.7, -0.4, -0.2, 0, 0.2, 0.4, 0.7, 1] as const;
@@ -24,12 +24,6 @@ export const kTelegraphWords: readonly string[] = [
 const kTakeOver = 600; // ms, in which a hand that has just moved a lever may not be heard yet
 const kBetweenSends = 40; // ms: well below what the station takes
 
-const leversOf = ({ engine, rudder, bow_thruster, stern_thruster }: HelmLevers): HelmLevers => ({
-  engine,
-  rudder,
-  bow_thruster,
-  stern_thruster,
-});
 const clamp = (value: number, most: number): number => Math.min(most, Math.max(-most, value));
 
 /** The telegraph's detent nearest to an order, 0..8. */
@@ -42,7 +36,7 @@ export function detentOf(engine: number): number {
 }
 
 export class HelmHand {
-  private readonly last: LastHelm;
+  private readonly springs: Kept<boolean>;
   private mine: HelmLevers | undefined;
   private changed = false;
   private lastSent = -Infinity;
@@ -60,16 +54,21 @@ export class HelmHand {
       this.mine = undefined;
       link.letGo("helm");
     });
-    this.last = new LastHelm(link);
+    this.springs = new Kept<boolean>(
+      link,
+      "thrusters",
+      () => true,
+      (springs) => springs,
+    );
     for (const topic of ["HelmCommand", "InstructorHelmCommand"] as const) link.on(topic, () => this.hearOthers());
   }
 
   /** Thruster levers spring back to zero when let go, or stay. */
   get thrustersSpring(): boolean {
-    return this.last.springs;
+    return this.springs.value;
   }
   set thrustersSpring(springs: boolean) {
-    this.last.springs = springs;
+    this.springs.value = springs;
   }
 
   authority(): Authority<HelmCommand> {
@@ -88,11 +87,11 @@ export class HelmHand {
   }
 
   /**
-   * Set points: those that count now; of nobody's helm, those that counted last, or where this page does not know them,
-   * what the ship does. Undefined while nothing has been heard.
+   * Set points: those of this hand, or as the server has them; never those that a page remembers, for others may have
+   * moved them since. Undefined while nothing has been heard.
    */
   levers(): HelmLevers | undefined {
-    return this.mine ?? this.found();
+    return this.mine ?? helmOrdered(this.link);
   }
 
   /** Whether a hand of this page may move them now. */
@@ -140,12 +139,7 @@ export class HelmHand {
 
   /** Sends what has changed; several times a second. now: ms of performance.now(). */
   tick(now: number): void {
-    if (!this.mine) return;
-    const { owner, command } = this.authority();
-    // So that nothing lurches when their hand leaves it.
-    const theirs = owner === "instructor" || (owner === "other" && now - this.lastPut > kTakeOver);
-    if (theirs && command) this.follow(this.mine, command);
-    if (this.changed && now - this.lastSent >= kBetweenSends) this.send(this.mine, now);
+    if (this.mine && this.changed && now - this.lastSent >= kBetweenSends) this.send(this.mine, now);
   }
 
   private follow(mine: HelmLevers, theirs: HelmLevers): void {
@@ -159,17 +153,19 @@ export class HelmHand {
     this.lastSent = now;
     this.changed = false;
     this.link.holdHelm({ ...levers });
-    this.last.ordered(levers);
   }
 
-  /** What others order is what stands when they leave the helm. */
+  /**
+   * While others have the helm this hand's levers follow theirs, so that nothing lurches when their hand leaves it. As
+   * they are heard, not as frames are drawn: a page that is hidden draws none, and its hand still lies there.
+   */
   private hearOthers(): void {
+    if (!this.mine) return;
+    const now = performance.now();
     const { owner, command } = this.authority();
-    if (command && owner !== "mine") this.last.ordered(leversOf(command));
-  }
-
-  private found(): HelmLevers | undefined {
-    const from = this.authority().command ?? this.last.levers() ?? this.link.latest("BridgeView");
-    return from && leversOf(from);
+    const theirs = owner === "instructor" || (owner === "other" && now - this.lastPut > kTakeOver);
+    if (!theirs || !command) return;
+    this.follow(this.mine, command);
+    if (this.changed && document.hidden) this.send(this.mine, now);
   }
 }

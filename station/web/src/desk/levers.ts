@@ -154,9 +154,12 @@ abstract class Card {
     desk.link.onState((state) => state !== "open" && this.drop());
     desk.link.onMessage("levers", (message) => {
       const ours = what === "helm" ? message.helm === true : message.side === what;
-      if (!ours || message.held !== false || !this.held || desk.link.holds(what)) return;
+      const another = message.by === "another"; // page of this station, while this one was silent for too long
+      if (!ours || !this.held || (message.held !== false && !another)) return;
+      if (another) desk.link.letGo(what);
+      else if (desk.link.holds(what)) return;
       this.drop();
-      const taken = takenWords(desk.link, message);
+      const taken = another ? t("another page of this station has these levers") : takenWords(desk.link, message);
       if (taken) desk.say(taken);
     });
   }
@@ -312,10 +315,10 @@ class HelmCard extends Card {
   }
 
   protected begin(): boolean {
-    const now = this.desk.link.latest("ShipState");
-    if (!now) return false;
-    const { engine, rudder, bow_thruster, stern_thruster } = now;
-    this.hand = { engine, rudder, bow_thruster, stern_thruster };
+    const found = helmOrdered(this.desk.link);
+    if (!found) return false;
+    this.hand = found;
+    const { engine, rudder, bow_thruster, stern_thruster } = found;
     [100 * engine, degrees(rudder), 100 * bow_thruster, 100 * stern_thruster].forEach((value, i) =>
       this.levers[i]!.put(value),
     );
@@ -330,7 +333,7 @@ class HelmCard extends Card {
   update(): void {
     const { link } = this.desk;
     const now = link.latest("ShipState");
-    const set = this.authority().command ?? helmOrdered(link);
+    const set = helmOrdered(link);
     const [engine, rudder, bow, stern] = this.levers as [Lever, Lever, Lever, Lever];
     engine.show(100 * (set?.engine ?? NaN), 100 * (now?.engine ?? NaN));
     rudder.show(degrees(set?.rudder ?? NaN), degrees(now?.rudder ?? NaN));

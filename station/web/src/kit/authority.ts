@@ -1,6 +1,6 @@
 // Who has a set of levers, as every page tells it: docs/command_authority.md.
 
-import type { Connection, Heard } from "../wire/connection";
+import type { Connection, Heard, HelmLevers } from "../wire/connection";
 import type { HelmCommand, WindlassCommand } from "../wire/generated";
 import { isUnheard } from "./live";
 import { clock, sideWord } from "./units";
@@ -48,9 +48,16 @@ export function windlassOrdered(link: Connection, side: number): WindlassCommand
   return newer(link.track("WindlassCommand", side), link.track("InstructorWindlassCommand", side));
 }
 
-/** The same of the helm. BridgeView and ShipState have what engine, rudder and thrusters do, not what was ordered. */
-export function helmOrdered(link: Connection): HelmCommand | undefined {
-  return newer(link.track("HelmCommand"), link.track("InstructorHelmCommand"));
+/** Telegraph, wheel and thruster levers as the server has them, whoever put them there last. */
+export function helmOrdered(link: Connection): HelmLevers | undefined {
+  const view = link.latest("BridgeView");
+  if (!view) return undefined;
+  return {
+    engine: view.engine_ordered,
+    rudder: view.rudder_ordered,
+    bow_thruster: view.bow_thruster_ordered,
+    stern_thruster: view.stern_thruster_ordered,
+  };
 }
 
 /** For people: "mine", "instructor has taken over", "trainee-2", "nobody". */

@@ -1,4 +1,4 @@
-// The helm in this page's hand: taken by its orders as they stood, over a reload and from others.
+// The helm in this page's hand: taken as the server has it, whoever ordered it last, and not as a page remembers it.
 
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
@@ -6,22 +6,30 @@ import { beforeEach, test } from "node:test";
 import { HelmHand, kTelegraph } from "../../src/bridge/helm_hand";
 import type { Connection, HelmLevers } from "../../src/wire/connection";
 
-const kHalfAstern = kTelegraph[1];
-const kDoes: HelmLevers = { engine: -0.34, rudder: 0.1, bow_thruster: 0.3, stern_thruster: 0 };
-const kOrdered: HelmLevers = { engine: kHalfAstern, rudder: 0.2, bow_thruster: 0.95, stern_thruster: 0 };
+const [kSlowAhead, kHalfAhead] = [kTelegraph[6], kTelegraph[7]];
+const kDoes: HelmLevers = { engine: 0.34, rudder: 0.1, bow_thruster: 0.3, stern_thruster: 0 };
+const kOrdered: HelmLevers = { engine: kHalfAhead, rudder: 0.2, bow_thruster: 0.95, stern_thruster: 0 };
+const kStopped: HelmLevers = { engine: 0, rudder: 0.2, bow_thruster: 0, stern_thruster: 0 };
 
 /** A browser's session, which outlives a page. */
 const session = new Map<string, string>();
+const browser = { hidden: false };
 Object.assign(globalThis, {
   sessionStorage: {
     getItem: (name: string) => session.get(name) ?? null,
     setItem: (name: string, text: string) => session.set(name, text),
   },
-  document: { hidden: false },
+  document: browser,
 });
-beforeEach(() => session.clear());
+beforeEach(() => {
+  session.clear();
+  browser.hidden = false;
+});
 
-/** A page of trainee-1's bridge, opened in a run, while the ship does kDoes. */
+/** What the server has, for all pages. */
+let server = kOrdered;
+
+/** A page of trainee-1's bridge, while the ship does kDoes. */
 class Page {
   readonly state = "open";
   readonly hello = { name: "trainee-1", seat: "conning", exercise: "L01", commands: ["HelmCommand"], hand_silent: 5 };
@@ -31,9 +39,9 @@ class Page {
   private readonly listeners = new Map<string, ((sample: object) => void)[]>();
   private readonly tracks = new Map<string, { sample: object; at: number }[]>();
 
-  constructor(run = 1) {
+  constructor() {
     this.helm = new HelmHand(this as unknown as Connection, () => 0.6);
-    this.run(run);
+    this.tell("ExerciseStatus", { run: 1, exercise: "L01", time: 100 });
   }
   on(topic: string, listener: (sample: object) => void): void {
     this.listeners.set(topic, [...(this.listeners.get(topic) ?? []), listener]);
@@ -43,7 +51,14 @@ class Page {
   }
   onMessage(): void {}
   latest(topic: string): unknown {
-    return topic === "BridgeView" ? kDoes : undefined;
+    const { engine, rudder, bow_thruster, stern_thruster } = server;
+    const ordered = {
+      engine_ordered: engine,
+      rudder_ordered: rudder,
+      bow_thruster_ordered: bow_thruster,
+      stern_thruster_ordered: stern_thruster,
+    };
+    return topic === "BridgeView" ? { ...kDoes, ...ordered } : undefined;
   }
   track(topic: string): unknown[] {
     return this.tracks.get(topic) ?? [];
@@ -54,27 +69,19 @@ class Page {
   holdHelm(levers: HelmLevers): void {
     this.held = true;
     this.sent.push(levers);
+    server = levers;
   }
   letGo(): void {
     this.held = false;
   }
-  tell(topic: string, sample: object): void {
+  private tell(topic: string, sample: object): void {
     for (const listener of this.listeners.get(topic) ?? []) listener(sample);
   }
-  run(run: number): void {
-    this.tell("ExerciseStatus", { run, exercise: "L01", time: 100 });
-  }
-  /** A line of the log: who takes the helm, or the other branch that begins. */
-  log(number: number, code: string, name = ""): void {
-    const text = name && `${name} has the helm, taken from somebody`;
-    this.tell("BridgeEvent", { number, code, side: -1, text, time: 50 });
-  }
-  /** Another speaks at the helm, twice: one sample alone may be an old one; then it is silent. */
+  /** Another speaks at the helm, twice: one sample alone may be an old one. */
   others(source: string, levers: HelmLevers, topic = "HelmCommand"): void {
     const said = { sample: { ...levers, origin: { source } }, at: performance.now() };
     this.tracks.set(topic, [said, said]);
     this.tell(topic, said.sample);
-    this.tracks.delete(topic);
   }
   order(levers: Partial<HelmLevers>): void {
     this.helm.put(levers);
@@ -82,55 +89,48 @@ class Page {
   }
 }
 
-test("where nothing is known of its orders the helm is taken by what the ship does", () => {
+test("the helm is shown and taken as it was ordered, not by what the ship does yet", () => {
+  server = kOrdered;
   const page = new Page();
-  assert.deepEqual(page.helm.levers(), kDoes);
-  page.order({});
-  assert.deepEqual(page.sent, [kDoes]);
-});
-
-test("after a reload the telegraph shows what was ordered, and the helm is taken by that", () => {
-  const before = new Page();
-  before.helm.thrustersSpring = false;
-  before.order(kOrdered);
-  const after = new Page();
-  assert.deepEqual(after.helm.levers(), kOrdered);
-  assert.equal(after.helm.thrustersSpring, false);
-  after.log(4, "levers.taken", "trainee-1"); // all of the log comes again
-  after.order({});
-  assert.deepEqual(after.sent, [kOrdered]);
-});
-
-test("of another run, or after a restore, nothing of it is so any more, but how the thrusters' levers are set", () => {
-  const before = new Page();
-  before.helm.thrustersSpring = false;
-  before.order(kOrdered);
-  assert.deepEqual(new Page(2).helm.levers(), kDoes);
-  const there = new Page();
-  there.run(2);
-  assert.deepEqual(there.helm.levers(), kDoes);
-  assert.equal(there.helm.thrustersSpring, false);
-});
-
-test("what others ordered last stands when they have left the helm, an instructor's too", () => {
-  const page = new Page();
-  page.others("bridge-2", kOrdered);
   assert.deepEqual(page.helm.levers(), kOrdered);
-  page.others("desk-1", { ...kOrdered, engine: 1 }, "InstructorHelmCommand");
-  assert.deepEqual(new Page().helm.levers(), { ...kOrdered, engine: 1 });
+  page.order({});
+  assert.deepEqual(page.sent, [kOrdered]);
 });
 
-test("an order is not known any more when another has taken the helm meanwhile", () => {
+// Slow ahead here; half ahead, slow and stop in another tab of this station, which is closed; then here again.
+test("an order of another page stands when this one comes back, and a touch of one lever moves no other", () => {
   const before = new Page();
-  before.log(3, "levers.taken", "desk-1");
-  before.order(kOrdered);
+  before.order({ engine: kSlowAhead });
+  before.helm.letGo();
+  server = kStopped;
   const after = new Page();
-  after.log(3, "levers.taken", "desk-1"); // was known
-  assert.deepEqual(after.helm.levers(), kOrdered);
-  after.log(8, "levers.taken", "desk-1");
-  assert.deepEqual(after.helm.levers(), kDoes);
-  after.order({ engine: 0 });
-  assert.deepEqual(after.helm.levers(), { ...kDoes, engine: 0 });
-  after.helm.letGo();
-  assert.deepEqual(after.helm.levers(), { ...kDoes, engine: 0 });
+  assert.deepEqual(after.helm.levers(), kStopped);
+  after.order({ rudder: 0 });
+  assert.deepEqual(after.sent, [{ ...kStopped, rudder: 0 }]);
+});
+
+test("a page that has let the helm go shows what others order, and takes it so", () => {
+  server = kStopped;
+  const page = new Page();
+  page.order({ engine: kSlowAhead });
+  page.helm.letGo();
+  server = kOrdered;
+  assert.deepEqual(page.helm.levers(), kOrdered);
+  page.helm.stepTelegraph(-1);
+  assert.deepEqual(page.helm.levers(), { ...kOrdered, engine: kSlowAhead });
+});
+
+test("while an instructor has the helm this hand follows him, also on a hidden page, which draws no frame", () => {
+  server = kStopped;
+  const page = new Page();
+  page.order({ engine: kSlowAhead });
+  browser.hidden = true;
+  page.others("desk-1", kOrdered, "InstructorHelmCommand");
+  assert.deepEqual(page.helm.levers(), kOrdered);
+  assert.deepEqual(page.sent.at(-1), kOrdered);
+});
+
+test("how the thrusters' levers are set is kept over a reload", () => {
+  new Page().helm.thrustersSpring = false;
+  assert.equal(new Page().helm.thrustersSpring, false);
 });

@@ -359,3 +359,24 @@ test("of samples that come in one moment the second came later", (t) => {
   assert.deepEqual([first?.sample.code, second?.sample.code], ["first", "second"]);
   assert.ok(first!.at < second!.at);
 });
+
+test("a page whose timers are slowed, as those of a hidden one are, holds its levers by what it hears", (t) => {
+  let now = 5000;
+  t.mock.method(performance, "now", () => now);
+  const { link, socket } = connect(t);
+  link.on("Event", () => undefined);
+  socket().accept();
+  socket().say({ op: "advertise", channels: [{ id: 1, topic: "/Event" }] });
+  link.holdHelm({ engine: 0.4, rudder: 0, bow_thruster: 0, stern_thruster: 0 });
+  const wordsAfter = (ms: number): number => {
+    now += ms;
+    socket().onmessage?.({ data: sampleOf(1, 50_000, [0n, 0, 1n, [0], "code", [0], 0, "code"]) });
+    return socket()
+      .ops()
+      .filter((op) => op === "helm").length;
+  };
+  assert.equal(wordsAfter(100), 1, "its timer's turn");
+  assert.equal(wordsAfter(150), 2);
+  assert.equal(wordsAfter(100), 2);
+  assert.equal(wordsAfter(150), 3);
+});
