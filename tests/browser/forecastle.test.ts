@@ -288,6 +288,14 @@ describe("by keys", () => {
     await rig.truly("zero", ({ port }) => port.windlass.speed_lever === 0);
   });
 
+  test("x takes the speed lever to zero and nothing else: a wheel on its way to hard on goes on", async () => {
+    await page.keyboard.press("0");
+    await eventually("a fifth off", async () => (await setBrake()) < 0.8);
+    await page.keyboard.press("b");
+    await page.keyboard.press("x");
+    await rig.truly("hard on", ({ port }) => port.windlass.brake_position > 0.99);
+  });
+
   test("c and t are held, e is not", async () => {
     await page.keyboard.press("t");
     await hold(stopper, "t");

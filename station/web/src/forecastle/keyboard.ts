@@ -34,7 +34,7 @@ export const keyTable: readonly (readonly [string, string])[] = [
   [t("Up, Down"), t("brake on, off: tap for 10\u00b0, hold to turn; with Shift a fifth of it")],
   ["b, 0", t("brake hard on, open")],
   [t("Right, Left"), t("heave, lower while held; with Shift 10 %")],
-  ["x", t("speed lever to zero, hand-wheel stops")],
+  ["x", t("speed lever to zero")],
   [t("c, t (hold)"), t("clutch, stopper")],
   ["e", t("emergency stop; hold 1.5 s to release")],
   ["p, Tab", t("the other windlass; next control")],

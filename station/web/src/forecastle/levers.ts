@@ -28,6 +28,7 @@ const towards = (from: number, to: number, most: number): number => from + clamp
 export class LeverHand {
   private mine: WindlassLevers | undefined;
   private wheelAim: number | undefined; // where the hand-wheel is being turned to
+  private spun = false; // to one of its ends, by itself
   private wheelRun = 0; // -1..1 of the wheel's rate, by a stick or a trigger
   private key = { way: 0, share: 1, since: 0 }; // that turns the wheel: which way, how finely, since when (ms)
   private speedAim = 0;
@@ -70,13 +71,16 @@ export class LeverHand {
     const levers = this.take();
     if (!levers) return;
     const aim = (this.wheelAim ?? levers.brake) + turns / kWheelTurns;
+    this.spun = false;
     this.wheelAim = clamp(clamp(aim, levers.brake - kBehind, levers.brake + kBehind), 0, 1);
   }
 
   /** Spins the hand-wheel to 0, open, or 1, hard on. */
   spinWheel(to: number): void {
     this.moveOn();
-    if (this.take()) this.wheelAim = clamp(to, 0, 1);
+    if (!this.take()) return;
+    this.wheelAim = clamp(to, 0, 1);
+    this.spun = true;
   }
 
   /** Turns the hand-wheel at a share -1..1 of its rate until told 0. */
@@ -89,9 +93,9 @@ export class LeverHand {
   }
 
   /**
-   * A key that turns the hand-wheel goes down (way 1: on, -1: off) or up (0). A tap turns it by a fixed small angle;
-   * held, it runs, faster and faster up to a hand's rate. fine: all that by a fifth. at: when, ms: a page that is slow
-   * hears of its keys late.
+   * A key that turns the hand-wheel goes down (way 1: on, -1: off) or up (0). A tap turns it by a fixed small angle,
+   * and takes one that spins where it is; held, it runs, faster and faster up to a hand's rate. fine: all that by a
+   * fifth. at: when, ms: a page that is slow hears of its keys late.
    */
   pressWheel(way: number, fine = false, at = performance.now()): void {
     this.moveOn(at);
@@ -101,7 +105,11 @@ export class LeverHand {
       return;
     }
     const levers = way !== 0 ? this.take() : undefined;
-    if (levers) this.wheelAim = clamp((this.wheelAim ?? levers.brake) + (way * share * kTap) / kWheelTurns, 0, 1);
+    if (levers) {
+      const from = this.spun ? levers.brake : (this.wheelAim ?? levers.brake);
+      this.wheelAim = clamp(from + (way * share * kTap) / kWheelTurns, 0, 1);
+      this.spun = false;
+    }
     this.key = { way: levers ? way : 0, share, since: at };
   }
 

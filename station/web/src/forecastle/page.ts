@@ -133,10 +133,7 @@ export function openForecastle(): void {
       spin: (to: number) => stand.hand.spinWheel(to),
       push: (to: number, at?: number) => stand.hand.pushSpeed(to, at),
       release: (at?: number) => stand.hand.releaseSpeed(at),
-      zero: () => {
-        stand.hand.stopWheel();
-        stand.hand.releaseSpeed();
-      },
+      zero: () => stand.hand.releaseSpeed(),
       clutch: (held: boolean) => (held ? stand.clutch.guard.press() : stand.clutch.guard.release()),
       stopper: (held: boolean) => (held ? stand.stopper.guard.press() : stand.stopper.guard.release()),
       stop: (held: boolean) => (held ? stand.stop.guard.press() : stand.stop.guard.release()),

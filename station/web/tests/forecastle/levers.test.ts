@@ -180,6 +180,25 @@ test("a tap of a key turns the wheel by ten degrees, with Shift by two, however 
   }
 });
 
+test("a key takes a wheel that spins where it is, and the speed lever's zero lets it spin on", (t) => {
+  const { hand: one, run } = hand(t);
+  one.spinWheel(0);
+  run(0.5);
+  const spun = one.levers()!.brake;
+  one.pressWheel(1);
+  run(0.1);
+  one.pressWheel(0);
+  run(1);
+  near(one.levers()!.brake, spun + kTap);
+  one.moveSpeed(0.5);
+  one.latchSpeed();
+  one.spinWheel(1);
+  one.releaseSpeed();
+  run(kTravel);
+  assert.equal(one.levers()!.brake, 1);
+  assert.equal(one.levers()!.speed_lever, 0);
+});
+
 test("a key that is held runs the wheel, slowly at first and then as fast as a hand can, until it is let go", (t) => {
   const { hand: one, run } = hand(t);
   one.pressWheel(-1);
