@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
 import { type TestPage, closeBrowser, openPage } from "./browser";
-import { hadNoProblems, passesAxe } from "./pages";
+import { hadNoProblems, holdDown, passesAxe } from "./pages";
 import { Rig, eventually } from "./rig";
 
 const rig = new Rig();
@@ -97,4 +97,25 @@ test("an instructor sets them to work at the desk and calls them back, and the f
   await are("Men", /^Men stand clear$/, desk);
   await are("Men", /^Men stand clear$/);
   hadNoProblems(desk);
+});
+
+test("a bar that bears does not lift: it says so, its button offers it as it stands, and to hold it anew is to try anew", async () => {
+  const stopper = page.getByRole("switch", { name: "chain stopper" });
+  const control = page.locator(".control.stopper");
+  const refusals = page.locator(".log li", { hasText: "stopper bar is loaded and does not lift" });
+  await page.keyboard.press("0"); // the weight comes onto the bar
+  await rig.truly("the brake is open", ({ port }) => port.windlass.brake_position < 0.01);
+  for (const tries of [1, 2]) {
+    await holdDown(page, stopper);
+    await eventually("it is refused", async () => (await refusals.count()) === tries);
+    await eventually("it says why", async () =>
+      /^under load: does not lift$/.test((await control.locator(".reason").textContent()) ?? ""),
+    );
+    assert.equal(await control.locator(".row strong").textContent(), "ON");
+    assert.equal(await stopper.textContent(), "Hold: lift");
+    assert.equal(await stopper.getAttribute("aria-checked"), "true");
+  }
+  await page.keyboard.press("b");
+  await rig.truly("the brake is hard on", ({ port }) => port.windlass.brake_position > 0.99);
+  hadNoProblems(page);
 });

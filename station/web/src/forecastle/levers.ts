@@ -176,6 +176,17 @@ export class LeverHand {
     if (!("speed_lever" in change)) this.send(performance.now()); // of what has two places nothing waits
   }
 
+  /**
+   * The stopper's bar does not go where this hand wants it: the hand leaves it as it stands, else it would go there by
+   * itself as soon as it can, with nobody at it. Returns how it stands; undefined: it was no try of this hand.
+   */
+  leaveStopper(): boolean | undefined {
+    const closed = this.link.latest("ForecastleView", this.side)?.stopper_closed;
+    if (closed === undefined || !this.mine || this.mine.stopper_closed === closed || !this.movable()) return undefined;
+    this.put({ stopper_closed: closed });
+    return closed;
+  }
+
   /** Gives the levers out of this hand; the speed lever goes to zero first. */
   letGo(): void {
     if (this.mine) {

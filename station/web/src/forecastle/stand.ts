@@ -57,7 +57,7 @@ export class Stand {
       release: () => this.hand.releaseSpeed(),
     });
     this.clutch = new Clutch(() => this.hand.put({ clutch_in: !this.hand.levers()?.clutch_in }));
-    this.stopper = new Stopper(() => this.hand.put({ stopper_closed: !this.hand.levers()?.stopper_closed }));
+    this.stopper = new Stopper((closed) => this.hand.put({ stopper_closed: closed }));
     this.stop = new EmergencyStop((on) => this.hand.put({ emergency_stop: on }));
     this.practice = new Practice(link, "forecastle");
     this.head = h(
@@ -96,6 +96,10 @@ export class Stand {
     link.onMessage("refused", ({ id, topic, text }) => {
       if (topic !== "WindlassCommand" || (id !== null && id !== undefined)) return;
       for (const hand of this.hands) if (link.holds(hand.side)) this.lost(hand.side, `${text}`);
+    });
+    link.on("ForecastleEvent", ({ code, side }) => {
+      const closed = code === "stopper.refused" ? this.hands[side]?.leaveStopper() : undefined;
+      if (closed !== undefined) this.stopper.refuse(side, closed);
     });
     addEventListener("blur", () => this.release());
     document.addEventListener("visibilitychange", () => document.hidden && this.hands.forEach((hand) => hand.letGo()));
@@ -144,7 +148,8 @@ export class Stand {
     setAttribute(this.element, "data-owner", authority.owner);
     // While the instructor has them there is nothing to leave, and his name takes the room.
     setShown(this.letGo, this.link.holds(this.side_) && authority.owner !== "instructor");
-    const waits = this.link.latest("ExerciseStatus")?.state === RunState.RUN_READY && this.link.holds(this.side_);
+    const state = this.link.latest("ExerciseStatus")?.state;
+    const waits = state === RunState.RUN_READY && this.link.holds(this.side_);
     if (waits) setText(this.notice, t("Not started yet: what you move now acts as it starts."));
     else if (now > this.noticeUntil) setText(this.notice, "");
     if (!view || !levers) return;
@@ -158,7 +163,7 @@ export class Stand {
     this.speed.setDetents(tackle?.drive === "electric_pole_changing" ? kPoleDetents : kSteplessDetents);
     this.speed.show(levers.speed_lever, view.speed_lever, movable, this.hand.latched);
     this.clutch.show(levers, view, turns, movable);
-    this.stopper.show(levers, view, movable);
+    this.stopper.show(levers, view, movable, state === RunState.RUN_RUNNING);
     this.stop.show(levers, view, movable);
     const ghost = this.practice.hands(now, this.side_);
     this.wheel.showGhost(ghost?.brake_position);

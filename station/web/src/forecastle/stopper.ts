@@ -1,4 +1,5 @@
-// The chain stopper: a bar across the cable, seen to bear, to hang, or to be sprung.
+// The chain stopper: a bar across the cable, seen to bear, to hang, or to be sprung. Its button offers what can be done
+// with the bar as it stands.
 
 import type { WindlassLevers } from "../wire/connection";
 import type { ForecastleView } from "../wire/generated";
@@ -7,6 +8,15 @@ import { kHoldTime } from "./clutch";
 import { HoldGuard } from "../kit/hold_button";
 import { t } from "../kit/language";
 
+const kTold = 10_000; // ms for which it is said why the bar did not move
+
+/** Why the bar is not where it was wanted; empty: it is. refused: it was tried, and has not moved since. */
+export function stopperReason(levers: WindlassLevers, view: ForecastleView, refused: boolean): string {
+  if (view.stopper_sprung) return t("the pin is out: the bar has sprung open");
+  if (!refused && levers.stopper_closed === view.stopper_closed) return "";
+  return view.stopper_closed ? t("under load: does not lift") : t("does not close on running chain");
+}
+
 export class Stopper {
   readonly element: HTMLElement;
   readonly guard: HoldGuard;
@@ -14,9 +24,11 @@ export class Stopper {
   private readonly state = h("strong", {});
   private readonly reason = h("p", { class: "reason", role: "status" });
   private readonly bar: SVGGElement;
+  private closed = false; // what the button offers to change
+  private readonly refusals = new Map<number, { at: number; closed: boolean }>(); // by side; ms, and how the bar stood
 
-  /** toggle: closes or opens it. */
-  constructor(toggle: () => void) {
+  /** put: closes or opens it. */
+  constructor(put: (closed: boolean) => void) {
     this.bar = svg(
       "g",
       { class: "bar" },
@@ -29,7 +41,11 @@ export class Stopper {
       "aria-label": t("chain stopper"),
       title: t("key t, held"),
     });
-    this.guard = new HoldGuard(this.button, () => kHoldTime, toggle);
+    this.guard = new HoldGuard(
+      this.button,
+      () => kHoldTime,
+      () => put(!this.closed),
+    );
     this.element = h(
       "section",
       { class: "control stopper", "aria-label": t("chain stopper") },
@@ -47,27 +63,26 @@ export class Stopper {
     );
   }
 
-  show(levers: WindlassLevers, view: ForecastleView, movable: boolean): void {
+  /** The bar of that side did not move when it was tried, and stands so. */
+  refuse(side: number, closed: boolean): void {
+    this.refusals.set(side, { at: performance.now(), closed });
+  }
+
+  /** runs: the exercise; else the bar goes where it is wanted as soon as it does, and until then may be wanted back. */
+  show(levers: WindlassLevers, view: ForecastleView, movable: boolean, runs: boolean): void {
     const closed = view.stopper_closed;
+    const refusal = this.refusals.get(view.side);
+    const refused = refusal?.closed === closed && performance.now() - refusal.at < kTold;
+    this.closed = runs ? closed : levers.stopper_closed;
     setAttribute(
       this.bar,
       "transform",
       closed ? "translate(2 -1)" : `translate(2 -1) rotate(${view.stopper_sprung ? -75 : -48})`,
     );
     setText(this.state, view.stopper_sprung ? t("SPRUNG") : closed ? t("ON") : t("OFF"));
-    setText(this.button, levers.stopper_closed ? t("Hold: lift") : t("Hold: close"));
-    setAttribute(this.button, "aria-checked", `${levers.stopper_closed}`);
-    const refuses = levers.stopper_closed !== closed;
-    setText(
-      this.reason,
-      view.stopper_sprung && levers.stopper_closed
-        ? t("the pin is out: the bar has sprung open")
-        : !refuses
-          ? ""
-          : closed
-            ? t("under load: does not lift")
-            : t("does not close on running chain"),
-    );
+    setText(this.button, this.closed ? t("Hold: lift") : t("Hold: close"));
+    setAttribute(this.button, "aria-checked", `${this.closed}`);
+    setText(this.reason, runs ? stopperReason(levers, view, refused) : "");
     this.button.disabled = !movable;
   }
 }

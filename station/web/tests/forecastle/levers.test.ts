@@ -269,6 +269,17 @@ test("what moves is sent every 40 ms at most, what has two places at once", (t) 
   assert.equal(link.sent.length - before, 11);
 });
 
+test("a bar that does not move is left as it stands, and no other lever is", (t) => {
+  const { link, hand: one } = hand(t);
+  assert.equal(one.leaveStopper(), undefined, "an event of another's try, or told again, takes nothing");
+  assert.deepEqual(link.sent, []);
+  one.put({ stopper_closed: true });
+  one.put({ clutch_in: false });
+  assert.equal(one.leaveStopper(), false);
+  assert.deepEqual(link.sent.at(-1), { ...kFound, speed_lever: 0, clutch_in: false });
+  assert.equal(one.leaveStopper(), undefined);
+});
+
 test("an instructor who takes over is followed, and no hand moves against him", (t) => {
   const { link, hand: one, run } = hand(t);
   one.spinWheel(1);
