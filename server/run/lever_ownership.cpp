@@ -40,11 +40,13 @@ std::optional<LeverOwnership::Hand> LeverOwnership::take(LeverGroup levers, cons
     // DDS may tell of a writer's end before its last word is taken: that word does not bring it back.
     const bool late = held.left && held.writer == from.writer;
     const bool let_go = held.let_go() && held.instructor && !from.instructor;
+    const bool goes_on = held.source == from.source && held.instructor == from.instructor;
+    held.found_free = held.source.empty() || (goes_on && held.found_free);
     held.heard = now_;
     held.writer = from.writer;
     held.instructor = from.instructor;
     if (!late) held.left.reset();
-    return Hand{std::exchange(held.source, from.source), let_go};
+    return Hand{.source = std::exchange(held.source, from.source), .let_go = let_go};
 }
 
 void LeverOwnership::leave(const WriterKey& writer) {
@@ -60,7 +62,15 @@ void LeverOwnership::come(const WriterKey& writer) {
 std::optional<LeverOwnership::Hand> LeverOwnership::gone(LeverGroup levers) {
     Owner& held = owner(levers);
     if (held.source.empty() || now_ <= held.given_up_at() + kNextHand) return std::nullopt;
-    return Hand{std::exchange(held.source, {}), held.let_go()};
+    return Hand{std::exchange(held.source, {}), held.let_go(), held.instructor, held.found_free};
+}
+
+bool LeverOwnership::is_elsewhere(LeverGroup levers, const std::string& source) const {
+    return std::ranges::any_of(kAllLeverGroups, [&](LeverGroup other) {
+        const Owner& held = owners_[static_cast<std::size_t>(other)];
+        const bool other_place = (other == LeverGroup::helm) != (levers == LeverGroup::helm);
+        return other_place && held.source == source && !held.left && now_ <= held.given_up_at();
+    });
 }
 
 double LeverOwnership::longest_silence() const {

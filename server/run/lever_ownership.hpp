@@ -28,6 +28,8 @@ public:
     struct Hand {
         std::string source;  ///< empty: nobody's
         bool let_go = false; ///< its writer was gone while it spoke; else it is not heard, or still speaks
+        bool instructor = false;
+        bool found_free = false; ///< nobody had the levers when it took them
     };
 
     /// The levers that an order moves; nothing for any other order.
@@ -53,6 +55,10 @@ public:
     /// since; from here on nobody has them.
     std::optional<Hand> gone(LeverGroup levers);
 
+    /// Whether that source is at the other place, and has levers there: of a windlass the helm, of the helm a
+    /// windlass.
+    bool is_elsewhere(LeverGroup levers, const std::string& source) const;
+
     /// s since the hand was heard last that has been silent for longest; 0: nobody has any levers.
     double longest_silence() const;
 
@@ -68,6 +74,7 @@ private:
         double heard = 0;   // s of ListeningTime, when he spoke last
         WriterKey writer{};
         bool instructor = false;
+        bool found_free = false;
         std::optional<double> left; // s of ListeningTime, when his writer was gone
 
         double given_up_at() const {

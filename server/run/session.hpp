@@ -169,6 +169,7 @@ private:
     void watch_for_a_hand();
     void forget_hands();
     void leave_alone(LeverGroup levers, const LeverOwnership::Hand& hand);
+    void tell_of_levers_left();
     bool checkpoint_due(std::uint64_t tick) const;
     void take_checkpoint();
     void restore(double time, const std::string& source);
@@ -240,6 +241,14 @@ private:
     bool not_kept_ = false;                  // an alert says so
     std::deque<CheckpointView> checkpoints_; // of this exercise, by time
     bool new_checkpoint_ = false;            // the last of them is news
+    /// Levers that nobody has since a hand has left them.
+    struct LeversLeft {
+        std::string source;
+        bool goes_over = false; ///< it let go, and may be at the other place's levers
+        AlertView alert;
+        bool told = false;
+    };
+    std::array<std::optional<LeversLeft>, kAllLeverGroups.size()> left_;
     LeverOwnership lever_ownership_;
     LeverPickup lever_pickup_;
     std::vector<exercise::ExerciseEvent> events_;

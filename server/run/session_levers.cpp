@@ -36,6 +36,7 @@ void Session::forget_hands() {
     for (const LeverGroup levers : kAllLeverGroups)
         alerts_.rectify(kUnattended, side_of(levers), tick_, time_);
     lever_ownership_.clear();
+    left_ = {};
 }
 
 /// Whether an order to these levers is heard. Who gives it has them then, and who takes them from another is
@@ -49,6 +50,7 @@ bool Session::take_levers(LeverGroup levers, const ReceivedOrder& from) {
     log("levers.taken",
         fmt::format("{} has the {}{}", from.source, name(levers), was_nobodys ? "" : how + before->source),
         side_of(levers));
+    left_.at(static_cast<std::size_t>(levers)).reset();
     alerts_.rectify(kUnattended, side_of(levers), tick_, time_);
     return true;
 }
@@ -57,6 +59,23 @@ void Session::look_for_hands() {
     for (const LeverGroup levers : kAllLeverGroups) {
         const auto hand = lever_ownership_.gone(levers);
         if (hand && !over()) leave_alone(levers, *hand);
+    }
+    if (!over()) tell_of_levers_left();
+}
+
+/// By their alert; of one who has both seats and went over to the levers of the other there is none, until he
+/// leaves those, too.
+void Session::tell_of_levers_left() {
+    for (const LeverGroup levers : kAllLeverGroups) {
+        auto& left = left_.at(static_cast<std::size_t>(levers));
+        if (!left) continue;
+        const bool unattended = !(left->goes_over && lever_ownership_.is_elsewhere(levers, left->source));
+        if (std::exchange(left->told, unattended) == unattended) continue;
+        left->alert.tick = tick_, left->alert.time = time_;
+        if (unattended)
+            alerts_.raise(left->alert);
+        else
+            alerts_.rectify(kUnattended, side_of(levers), tick_, time_);
     }
 }
 
@@ -91,11 +110,16 @@ void Session::leave_alone(LeverGroup levers, const LeverOwnership::Hand& hand) {
         apply(order, kServerName);
         left = "speed lever at zero; brake, clutch and stopper as they were";
     }
-    // Whoever has secured an anchor goes away from it; whoever is not heard may lie beside it.
-    const bool wants_no_hand = (hand.let_go || hand.source == kServerName) && is_secured(snapshot_, levers);
+    // Whoever has secured an anchor goes away from it; whoever is not heard may lie beside it. A helm that
+    // nobody had is left by an instructor as he found it.
+    const bool as_found = levers == LeverGroup::helm && hand.let_go && hand.instructor && hand.found_free;
+    const bool wants_no_hand =
+        as_found || ((hand.let_go || hand.source == kServerName) && is_secured(snapshot_, levers));
+    const bool goes_over = hand.let_go && !hand.instructor;
+    const bool is_there = goes_over && lever_ownership_.is_elsewhere(levers, hand.source);
     const auto told = [&](std::string text) {
         constexpr words::EventCode kLost = "levers.lost";
-        log(kLost, wants_no_hand ? words::Severity::info : kLost.row().severity, std::move(text),
+        log(kLost, wants_no_hand || is_there ? words::Severity::info : kLost.row().severity, std::move(text),
             side_of(levers));
     };
     if (hand.source == kServerName) { // somebody may sit there who has not touched them: no alarm
@@ -111,7 +135,8 @@ void Session::leave_alone(LeverGroup levers, const LeverOwnership::Hand& hand) {
         kUnattended, side_of(levers), 0,
         {name(levers), hand.source, hand.let_go ? "is not at the levers" : "is not heard any more", left});
     (levers == LeverGroup::helm ? unattended.deck_panel : unattended.bridge_panel) = false;
-    alerts_.raise(std::move(unattended));
+    left_.at(static_cast<std::size_t>(levers)) =
+        LeversLeft{.source = hand.source, .goes_over = goes_over, .alert = std::move(unattended)};
 }
 
 } // namespace windlass::run

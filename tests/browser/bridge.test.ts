@@ -505,6 +505,10 @@ test("a seat for one steers, gives itself no orders, and repeats those to its fo
     async () => !(await own.getByRole("button", { name: "Stand by", exact: true }).isVisible()),
   );
   await eventually("it is said", () => own.getByText("This seat gives no orders").isVisible());
+  const other = own.getByRole("link", { name: /^Forecastle/ });
+  await eventually("the other page is a touch away", () => other.isVisible());
+  assert.equal(await other.getAttribute("target"), "windlass-forecastle", "in a tab of its own");
+  assert.equal(await own.evaluate(() => window.name), "windlass-bridge", "where that one's link finds it");
 
   // Whatever is open there, an order to the forecastle is heard, too, and repeated back.
   const waits = (which: TestPage) => which.getByRole("region", { name: "order to the forecastle" });

@@ -409,6 +409,8 @@ describe("hands off", () => {
     await page.keyboard.up("ArrowRight");
     await eventually("nobody has them", async () => (await owner()) === "nobody");
     await rig.truly("zero", ({ port }) => port.windlass.speed_lever === 0);
+    await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange"))); // in sight again
+    await eventually("it says so", () => page.getByText(/^The page was hidden, and its levers were left/).isVisible());
   });
 });
 

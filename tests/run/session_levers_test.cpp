@@ -329,6 +329,105 @@ TEST_F(SessionTest, WhoLetsGoOfASecuredWindlassIsNoAlertAndNoWarning) {
     EXPECT_EQ(severity_of_lost(session), exercise::Severity::warning);
 }
 
+/// Hands that come, speak and go; each of a station has a writer of its own.
+class Hands : public SessionTest {
+protected:
+    void speak(const exercise::Order& order, std::uint8_t writer, const char* source = "trainee-1",
+               bool instructor = false) {
+        Inbox inbox;
+        inbox.orders.push_back({source, order, instructor, {writer}});
+        session.carry_out(inbox, now += 0.05);
+    }
+    void let_go(std::uint8_t writer) {
+        Inbox inbox;
+        inbox.left.push_back({writer});
+        session.carry_out(inbox, now += 0.05);
+    }
+    void nobody_speaks() {
+        hear_nothing(session, now, now + 0.3);
+        now += 0.3;
+    }
+    /// As the alert of those levers was told last; nothing: it was not, since the last clear_news().
+    std::optional<AlertCondition> alert_of(int side) const {
+        std::optional<AlertCondition> told;
+        for (const AlertView& alert : session.alerts())
+            if (alert.code == "levers.unattended" && alert.side == side) told = alert.condition;
+        return told;
+    }
+
+    const exercise::Order heaving = exercise::WindlassOrder{.brake = 0.5, .speed_lever = 0.5};
+    const exercise::Order slow_ahead = exercise::HelmOrder{.engine = 0.4};
+    Session session{{}, options()};
+    double now = 10;
+};
+
+TEST_F(Hands, ThatGoFromTheWindlassToTheHelmOfTheirOwnSeatsAreNoAlert) {
+    speak(heaving, 1);
+    let_go(1);
+    nobody_speaks();
+    EXPECT_EQ(alert_of(0), AlertCondition::active_unacknowledged) << "he may have gone for good";
+    speak(slow_ahead, 2);
+    EXPECT_EQ(alert_of(0), AlertCondition::rectified_unacknowledged) << "he is at the helm";
+    speak(heaving, 3);
+    session.clear_news();
+    let_go(3);
+    for (int word = 0; word < 10; ++word)
+        speak(slow_ahead, 2);
+    EXPECT_EQ(count(session, "levers.lost"), 1) << "it is told all the same";
+    EXPECT_EQ(severity_of_lost(session), exercise::Severity::info);
+    EXPECT_EQ(alert_of(0), std::nullopt);
+    speak(heaving, 4);
+    let_go(2); // and back
+    for (int word = 0; word < 10; ++word)
+        speak(heaving, 4);
+    EXPECT_EQ(alert_of(-1), std::nullopt);
+}
+
+TEST_F(Hands, ThatLeaveTheOtherPlaceTooAreAnAlertOfBoth) {
+    speak(heaving, 1);
+    speak(slow_ahead, 2);
+    let_go(1);
+    for (int word = 0; word < 10; ++word)
+        speak(slow_ahead, 2);
+    EXPECT_EQ(alert_of(0), std::nullopt);
+    let_go(2);
+    nobody_speaks();
+    EXPECT_EQ(alert_of(0), AlertCondition::active_unacknowledged);
+    EXPECT_EQ(alert_of(-1), AlertCondition::active_unacknowledged);
+}
+
+TEST_F(Hands, OfTwoTraineesEachIsMissedAtHisOwnPlace) {
+    speak(heaving, 1, "trainee-1");
+    speak(slow_ahead, 2, "trainee-2");
+    let_go(1);
+    for (int word = 0; word < 10; ++word)
+        speak(slow_ahead, 2, "trainee-2");
+    EXPECT_EQ(alert_of(0), AlertCondition::active_unacknowledged);
+}
+
+TEST_F(Hands, ThatAreNotHeardAtThePlaceTheyLeftAreAnAlert) {
+    speak(heaving, 1);
+    while (now < 10 + kHandSilent + 0.5)
+        speak(slow_ahead, 2);
+    EXPECT_EQ(alert_of(0), AlertCondition::active_unacknowledged);
+    EXPECT_EQ(severity_of_lost(session), exercise::Severity::warning);
+}
+
+TEST_F(Hands, OfAnInstructorLeaveAHelmThatNobodyHadAsTheyFoundIt) {
+    speak(slow_ahead, 1, "desk-1", true);
+    let_go(1);
+    nobody_speaks();
+    EXPECT_EQ(count(session, "levers.lost"), 1) << "it is told all the same";
+    EXPECT_EQ(severity_of_lost(session), exercise::Severity::info);
+    EXPECT_EQ(alert_of(-1), std::nullopt);
+
+    speak(slow_ahead, 2);
+    speak(slow_ahead, 3, "desk-1", true);
+    let_go(3);
+    nobody_speaks(); // whose the helm was has left it meanwhile
+    EXPECT_EQ(alert_of(-1), AlertCondition::active_unacknowledged);
+}
+
 TEST_F(SessionTest, WhoFallsSilentAtASecuredWindlassIsAnAlert) {
     Session session({}, options());
     give(session, exercise::Order{exercise::WindlassOrder{.brake = 1, .stopper_closed = true}}, 10,

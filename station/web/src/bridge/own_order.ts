@@ -5,7 +5,7 @@ import { h, setShown, setText } from "../kit/dom";
 import { t } from "../kit/language";
 import { waitsForWord } from "../kit/order_done";
 import { isQuestion, kByHand, repeatState, written } from "../kit/orders";
-import { pageAddress } from "../kit/page";
+import { seatLink } from "../kit/other_seat";
 import { Popover } from "../kit/popover";
 import { RepeatBack } from "../kit/repeat_back";
 import { clock } from "../kit/units";
@@ -64,9 +64,7 @@ export class OwnOrder {
 
   /** What answers a question is said where the reports are. */
   private answer(order: BridgeOrder): HTMLElement {
-    const query = Object.fromEntries(new URLSearchParams(location.search));
-    const name = t("answer: {order}", { order: written(order) });
-    return h("a", { class: "plain", href: pageAddress("/forecastle", query), "aria-label": name }, t("Answer"));
+    return seatLink("forecastle", { "aria-label": t("answer: {order}", { order: written(order) }) }, t("Answer"));
   }
 
   private tell(newest: BridgeOrder | undefined): void {

@@ -39,6 +39,7 @@ export class Stand {
   private readonly letGo = h("button", { class: "plain", onclick: () => this.hand.letGo() }, t("Leave them"));
   private readonly notice = h("p", { class: "notice", role: "status", "aria-live": "assertive" });
   private noticeUntil = 0;
+  private leftHidden = false;
   private readonly sideListeners = new Set<(side: number) => void>();
 
   constructor(private readonly link: Connection) {
@@ -102,7 +103,7 @@ export class Stand {
       if (closed !== undefined) this.stopper.refuse(side, closed);
     });
     addEventListener("blur", () => this.release());
-    document.addEventListener("visibilitychange", () => document.hidden && this.hands.forEach((hand) => hand.letGo()));
+    document.addEventListener("visibilitychange", () => this.hide(document.hidden));
   }
 
   /** The windlass in hand: 0 port, 1 starboard. */
@@ -174,6 +175,17 @@ export class Stand {
   /** Every hand off what springs back. */
   release(): void {
     for (const hand of this.hands) hand.release();
+  }
+
+  /** A page that is hidden leaves its levers, and says so when it is in sight again. */
+  private hide(hidden: boolean): void {
+    if (hidden) {
+      this.leftHidden = this.hands.some(({ side }) => this.link.holds(side));
+      for (const hand of this.hands) hand.letGo();
+    } else if (this.leftHidden) {
+      this.leftHidden = false;
+      this.tell(t("The page was hidden, and its levers were left: windows side by side keep them in hand."));
+    }
   }
 
   private lost(side: number, why: string): void {
