@@ -465,6 +465,13 @@ describe("the bridge", () => {
     await button("n in water").click();
     await choice("1\u00bd").click(); // at one touch, as the wholes
     await eventually("reported", () => log(/1\.5 .*water/).isVisible());
+    const set = await setBrake();
+    await button("n in water").click();
+    await page.keyboard.type("10"); // a figure, and neither a look over the rail nor a brake wide open
+    await page.keyboard.press("Enter");
+    await eventually("reported", () => log(/10 .*water/).isVisible());
+    assert.equal(await setBrake(), set);
+    assert.match(await page.locator(".cameras [aria-pressed=true]").first().textContent(), /Stand/);
     await button("Lead").click();
     await choice("11 o'clock").click();
     await choice("Short stay").click();

@@ -1,5 +1,6 @@
 // Keys and gamepad of the bridge, those of the terminal form where it has them.
 
+import { typeIntoOpenPad } from "../kit/pad";
 import { radians } from "../kit/units";
 import type { HelmHand } from "./helm_hand";
 import { stepRudder } from "./wheel";
@@ -24,7 +25,7 @@ export function listenToKeys(helm: HelmHand, acts: Record<string, () => void>): 
   const thrust = (key: string): number => (key === "," || key === "<" ? -1 : key === "." || key === ">" ? 1 : 0);
   addEventListener("keydown", (event) => {
     const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
-    if (typing || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (typing || event.ctrlKey || event.altKey || event.metaKey || typeIntoOpenPad(event)) return;
     const act = acts[event.key];
     const side = thrust(event.key);
     if (act) act();

@@ -1,6 +1,7 @@
 // The keyboard as the hands of the forecastle. Keys that move a lever act while they are held.
 
 import { t } from "../kit/language";
+import { typeIntoOpenPad } from "../kit/pad";
 
 export interface Hands {
   /** Turns the hand-wheel at a share -1..1 of its rate. */
@@ -91,7 +92,7 @@ export function listenToKeys(hands: Hands): void {
     const at = event.timeStamp; // not when it is heard: a page that is slow hears late of a key that was let go
     if (name === "Shift" && pushed()) push(true, at);
     if (name === "Shift" && turns()) levers(true, at);
-    if (typing(event.target) || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (typing(event.target) || event.ctrlKey || event.altKey || event.metaKey || typeIntoOpenPad(event)) return;
     if (name.startsWith("Arrow")) {
       event.preventDefault();
       if (held.has(name)) return;
