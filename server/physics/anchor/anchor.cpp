@@ -231,7 +231,11 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     step_.on_bottom = touches(environment);
     step_.pull = pull;
     poor_soil_ = causes.soil_poor;
-    flukes_.seize(causes.flukes_seized > 0);
+    // Flukes that do not turn do not fall either: they stand in the shank's plane, but where ship or bottom
+    // has them turned. As they fall of themselves it would be chance whether such an anchor digs in.
+    const bool seized = causes.flukes_seized > 0;
+    if (seized && !may_touch_) flukes_.turn_to(0);
+    flukes_.seize(seized);
     step_.load = load(environment);
     step_.arm = body_.arm(shape_.shackle);
     step_.crown_arm = body_.arm(shape_.crown);
