@@ -117,7 +117,7 @@ test("it goes on with the hand that takes the levers, and is ended", async () =>
   await eventually("it runs", async () => /running/.test(await deck.locator(".top-bar").textContent()));
   await eventually("she is checked", async () => /hard on/.test(await deck.locator(".brake .figures").textContent()));
   await deck.locator(".reports").getByRole("button", { name: "Let go", exact: true }).click();
-  const told = log("report.made").filter({ hasText: "let go port anchor" });
+  const told = log("order.repeated").filter({ hasText: "let go port anchor" });
   await eventually("it is told", async () => (await told.count()) > 0);
   await look(deck, "goes_on");
   await on(owner, "End the class").focus();
