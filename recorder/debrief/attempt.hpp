@@ -156,6 +156,10 @@ struct Attempt {
     std::optional<double> lesson_over() const;
     /// Until when it counts; infinity: all of it does.
     double counted_until() const { return lesson_over().value_or(std::numeric_limits<double>::infinity()); }
+    /// s of exercise, where what counts ends.
+    double counted_end() const { return lesson_over().value_or(ended); }
+    /// Whether what was at that time counts; what the lesson's end itself brings does, a tick or two later.
+    bool counts(double time) const { return time <= counted_until() + 0.05; }
     double time_of(std::uint64_t tick) const { return static_cast<double>(tick) * dt; }
     /// s from the recording's beginning at which a replay shows that time of exercise.
     double position_of(double time) const;

@@ -90,7 +90,7 @@ void add_side(const Attempt& attempt, int index, std::vector<Figure>& figures) {
 
 std::vector<Figure> figures_of(const Attempt& attempt) {
     std::vector<Figure> figures;
-    const double duration = std::min(attempt.counted_until(), attempt.ended) - attempt.began;
+    const double duration = attempt.counted_end() - attempt.began;
     figures.push_back({"duration", "Duration", duration, "s", station::clock(duration)});
     if (attempt.assessment)
         figures.push_back({"score", "Score", attempt.assessment->score(), "points",

@@ -67,14 +67,13 @@ std::string time_link(const PageContext& page, double time) {
 
 std::string timed_tables(const Attempt& attempt, std::string_view caption,
                          const std::vector<std::string>& columns, const std::vector<TimedRow>& rows) {
-    constexpr double kAtOnce = 0.05; // s: a tick or two
-    const double over = attempt.counted_until();
     std::vector<std::vector<Cell>> counted, later;
     for (const TimedRow& row : rows)
-        (row.time > over + kAtOnce ? later : counted).push_back(row.cells);
+        (attempt.counts(row.time) ? counted : later).push_back(row.cells);
     std::string html = counted.empty() ? "" : table(caption, columns, counted);
     if (later.empty()) return html;
-    html += fmt::format("<h3>After the lesson&#39;s end, at {}</h3>\n", station::clock(over));
+    html +=
+        fmt::format("<h3>After the lesson&#39;s end, at {}</h3>\n", station::clock(attempt.counted_end()));
     return html + table(fmt::format("{}; it counts for nothing", caption), columns, later);
 }
 

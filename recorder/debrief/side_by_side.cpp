@@ -47,11 +47,6 @@ const Side* worked_side(const Attempt& attempt) {
     return most;
 }
 
-/// s of exercise, at which what counts ends.
-double end_of_what_counts(const Attempt& attempt) {
-    return std::min(attempt.counted_until(), attempt.ended);
-}
-
 /// The members of one lesson, with what is asked of each more than once.
 struct Class {
     std::vector<Beside> all;
@@ -286,13 +281,11 @@ std::string order_words(BridgeOrder order) {
 /// Orders, what came of them, reports, brakes, and what the anchor did, each the first time, as far as it
 /// counts.
 std::vector<Deed> deeds_of(const Class& of) {
-    constexpr double kAtOnce = 0.05; // s: a tick or two
     std::vector<Deed> all;
     for (std::size_t i = 0; i < of.size(); ++i) {
         const Attempt& attempt = of.at(i);
-        const double until = attempt.counted_until();
         const auto add = [&](const std::string& what, std::optional<double> time) {
-            if (!time || *time > until + kAtOnce) return;
+            if (!time || !attempt.counts(*time)) return;
             auto deed = std::ranges::find(all, what, &Deed::what);
             if (deed == all.end())
                 deed = all.insert(all.end(), {what, std::vector<std::optional<double>>(of.size())});
@@ -359,7 +352,7 @@ std::vector<PlotLine> spread_of(const Class& of, double from, double to) {
         for (std::size_t i = 0; i < of.size(); ++i) {
             const double at = time + of.zero.times[i];
             const Side* side = of.worked[i];
-            if (side == nullptr || at > end_of_what_counts(of.at(i))) continue;
+            if (side == nullptr || at > of.at(i).counted_end()) continue;
             if (const auto value = side->curves[kCableOut].at(at)) values.push_back(*value);
         }
         if (values.empty() || 2 * values.size() < worked) continue;
@@ -386,7 +379,7 @@ std::string plot_part(const Class& of) {
         const double zero = of.zero.times[i];
         plot.from = std::min(plot.from, of.at(i).began - zero);
         const double until = of.at(i).counted_until();
-        plot.to = std::max(plot.to, end_of_what_counts(of.at(i)) - zero);
+        plot.to = std::max(plot.to, of.at(i).counted_end() - zero);
         const Side* side = of.worked[i];
         if (side == nullptr) continue;
         const std::string number = fmt::format("no. {}", i + 1);

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 
 namespace windlass::assess {
 
@@ -54,76 +53,68 @@ bool is_shackles(ReportCode code) {
            code == ReportCode::shackles_in_water;
 }
 
-/// Whether a report tells that an order is carried out, or answers a question.
-bool answers(const BridgeOrderGiven& order, ReportCode report) {
-    const auto one_of = [report](std::initializer_list<ReportCode> codes) {
-        return std::ranges::find(codes, report) != codes.end();
-    };
-    switch (order.code) {
+/// The reports that tell that an order is carried out, or answer a question, first the one for which the
+/// bridge calls; those of shackles are apart.
+std::vector<ReportCode> told_by(BridgeOrderCode order) {
+    switch (order) {
     case BridgeOrderCode::stand_by:
     case BridgeOrderCode::clear_away:
+        return {ReportCode::standing_by, ReportCode::anchor_ready};
     case BridgeOrderCode::gear_in:
-        return one_of({ReportCode::standing_by, ReportCode::anchor_ready});
     case BridgeOrderCode::walk_out:
-        return one_of({ReportCode::standing_by, ReportCode::anchor_ready}) || is_shackles(report);
+        return {ReportCode::anchor_ready, ReportCode::standing_by};
     case BridgeOrderCode::let_go:
-        return one_of({ReportCode::let_go, ReportCode::on_the_bottom});
+        return {ReportCode::let_go, ReportCode::on_the_bottom};
     case BridgeOrderCode::heave:
-        return one_of({ReportCode::heaving, ReportCode::short_stay, ReportCode::up_and_down,
-                       ReportCode::anchor_aweigh, ReportCode::anchor_home});
+        return {ReportCode::heaving, ReportCode::short_stay, ReportCode::up_and_down,
+                ReportCode::anchor_aweigh, ReportCode::anchor_home};
     case BridgeOrderCode::secure:
-        return report == ReportCode::secured;
+        return {ReportCode::secured};
     case BridgeOrderCode::buoy_cable:
-        return report == ReportCode::ready_to_slip;
+        return {ReportCode::ready_to_slip};
     case BridgeOrderCode::slip:
-        return report == ReportCode::slipped;
+        return {ReportCode::slipped};
     case BridgeOrderCode::clear_anchor:
-        return report == ReportCode::clear_anchor;
+        return {ReportCode::clear_anchor};
     case BridgeOrderCode::how_leading:
-        return one_of({ReportCode::lead, ReportCode::short_stay, ReportCode::up_and_down});
+        return {ReportCode::lead, ReportCode::short_stay, ReportCode::up_and_down};
     case BridgeOrderCode::how_growing:
-        return report == ReportCode::growing;
+        return {ReportCode::growing};
     case BridgeOrderCode::how_much_weight:
-        return report == ReportCode::weight;
+        return {ReportCode::weight};
     case BridgeOrderCode::brought_up:
-        return one_of({ReportCode::brought_up, ReportCode::growing, ReportCode::dragging, ReportCode::lead});
+        return {ReportCode::brought_up, ReportCode::growing, ReportCode::dragging, ReportCode::lead};
+    default:
+        return {};
+    }
+}
+
+bool is_told_in_shackles(BridgeOrderCode order) {
+    switch (order) {
+    case BridgeOrderCode::walk_out:
     case BridgeOrderCode::how_much:
     case BridgeOrderCode::pay_out:
     case BridgeOrderCode::veer:
     case BridgeOrderCode::walk_back:
     case BridgeOrderCode::hold_on:
     case BridgeOrderCode::heave_to:
-        return is_shackles(report);
+        return true;
     default:
         return false;
     }
 }
 
-/// The report for which the bridge calls, of those that tell that an order is carried out; nothing: the order
-/// is a question, or to a length, for which it asks, or no report tells it.
+/// Whether a report tells that an order is carried out, or answers a question.
+bool answers(const BridgeOrderGiven& order, ReportCode report) {
+    if (is_shackles(report)) return is_told_in_shackles(order.code);
+    return std::ranges::count(told_by(order.code), report) > 0;
+}
+
+/// The report by which the bridge wants to hear that an order is carried out; nothing: it is a question, or
+/// to a length, for which it asks, or no report tells it.
 std::optional<ReportCode> called_for(BridgeOrderCode order) {
-    switch (order) {
-    case BridgeOrderCode::stand_by:
-    case BridgeOrderCode::clear_away:
-        return ReportCode::standing_by;
-    case BridgeOrderCode::gear_in:
-    case BridgeOrderCode::walk_out:
-        return ReportCode::anchor_ready;
-    case BridgeOrderCode::let_go:
-        return ReportCode::let_go;
-    case BridgeOrderCode::heave:
-        return ReportCode::heaving;
-    case BridgeOrderCode::secure:
-        return ReportCode::secured;
-    case BridgeOrderCode::buoy_cable:
-        return ReportCode::ready_to_slip;
-    case BridgeOrderCode::slip:
-        return ReportCode::slipped;
-    case BridgeOrderCode::clear_anchor:
-        return ReportCode::clear_anchor;
-    default:
-        return std::nullopt;
-    }
+    const std::vector<ReportCode> told = told_by(order);
+    return told.empty() || is_question(order) ? std::nullopt : std::optional(told.front());
 }
 
 /// As its button is called: "ready".

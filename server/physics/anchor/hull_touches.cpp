@@ -18,10 +18,9 @@ constexpr double kDeepest = 0.6;
 
 /// m, so much further than touches are it is looked to know how far the anchor may go until the next look.
 constexpr double kAhead = 1.0;
-/// m: so near it may touch before a long step ends.
-constexpr double kNear = 0.25;
-/// Whether is looked is decided with this to spare (m), so that rounding never tells what is near.
-constexpr double kRounding = 1e-6;
+/// m: so near it may touch before a long step ends. Told by a look alone, which is made with a little to
+/// spare: neither where it was last looked at nor rounding decides it.
+constexpr double kNear = 0.25, kRounding = 1e-6;
 /// Looks without that after one that found the anchor too near: it will be so for a while.
 constexpr int kLooksNearby = 30;
 
@@ -82,8 +81,7 @@ void HullTouches::find(const Anchor& anchor, double dt, const HullSurface& hull)
                         (pose.spin.norm() + std::abs(anchor.fluke_rate())) * anchor.reach();
     room_ = 0.01 + dt * fast; // and what a step adds to the speed
     const AnchorPlace place{centre, into * pose.attitude, anchor.fluke_angle()};
-    const double clear = kNear + kRounding;
-    if (drift_.clear(place, anchor.reach()) > std::max(room_, clear)) return;
+    if (drift_.clear(place, anchor.reach()) > std::max(room_, kNear)) return;
     material_ = hull.material;
     damping_ = 2 * kDamping * std::sqrt(material_.stiffness * anchor.mass());
     before_ << anchor.motion(), anchor.fluke_rate();
@@ -92,11 +90,11 @@ void HullTouches::find(const Anchor& anchor, double dt, const HullSurface& hull)
     } else {
         look(centre, kAhead);
         drift_.mark(place, full() ? 0 : clear_);
-        if (drift_.clear(place, anchor.reach()) > std::max(2 * room_, clear)) return;
+        if (drift_.clear(place, anchor.reach()) > std::max(2 * room_, kNear)) return;
         looks_nearby_ = kLooksNearby;
     }
     look(centre, kNear);
-    near_ship_ = full() || clear_ < kNear;
+    near_ship_ = full() || clear_ < kNear - kRounding;
 }
 
 /// Finds the touches, and how clear the anchor is of any. centre: m, of its mass, in the ship's frame. ahead:

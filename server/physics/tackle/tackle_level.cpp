@@ -130,7 +130,7 @@ int GroundTackle::stride(double dt) const {
     constexpr double kLongest = 0.01; // s; the load is published a hundred times a second
     constexpr double kRuns = 0.5;     // m/s; cable that runs is looked at in every tick
     constexpr double kSure = 0.7;     // of the step that the waves allow, to begin with longer steps
-    // m/s, of an anchor that is not in the hawse pipe: one that falls over or runs is stepped as finely as
+    // m/s, of an anchor that may touch ship or bottom: one that falls over or runs is stepped as finely as
     // the ground's hard contact wants. Error of the load over the whole with 2, 16 and 60 cm/s: 0.76, 0.49
     // and 0.67 % in 25 m of sand, 0.58, 0.60 and 1.63 in 18 m of gravel, 0.69, 0.67 and 0.88 in 35 m of sand.
     // One that knocks against the ship's side came to lie 3.5 m elsewhere with long steps, on its other side.
