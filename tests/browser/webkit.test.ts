@@ -121,9 +121,12 @@ test("orders are repeated back, the anchor is let go with the hand-wheel, and re
 });
 
 test("the speed lever follows the hand, and springs back", async () => {
-  const { x, y, width, height } = await (await deck.find('[aria-label="speed lever"]')).getRect();
+  // The slider itself: the control around it bears the same name, and how much it is higher is the layout's.
+  const slider = await deck.find('[role="slider"][aria-label="speed lever"]');
+  const { x, y, width, height } = await slider.getRect();
   const middle = { x: x + width / 2, y: y + height / 2 };
-  const half = { x: middle.x, y: middle.y - 0.52 * (height / 2 - 22) };
+  const knob = await deck.driver.executeScript<number>("return arguments[0].querySelector('.knob').offsetHeight", slider);
+  const half = { x: middle.x, y: middle.y - 0.5 * ((height - knob) / 2) };
   await eventually("half speed while it is held", async () => {
     const hand = deck.drag([middle, half], 200, 4000);
     const seen = exercise.truly("half speed", ({ port }) => Math.abs(port.windlass.speed_lever - 0.5) < 0.02);
