@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xc35b6c93c1a0608a},
-    {1800, 0xbe38285179766872},
-    {3300, 0xa487cb376a75594a},
-    {6000, 0xe59e7cff64fcde2a},
-    {8700, 0x093db7591f86fdd5},
-    {12000, 0xe47a0d8a7da69f3c},
-    {15000, 0x4aa1930e3051313b},
+    {300, 0x4bafdcc55ead4ded},
+    {1800, 0x33b615ed23d3558e},
+    {3300, 0x3afec5192a40b0a6},
+    {6000, 0x2651c0fc7b39b313},
+    {8700, 0xc0dfa2d0b55ab18c},
+    {12000, 0xb486b0e6d381fc65},
+    {15000, 0xe9840b031e99570c},
 }};
 
 } // namespace

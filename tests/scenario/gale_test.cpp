@@ -106,6 +106,19 @@ TEST(Gale, CableRendersThroughAWornBrakeUnlessTheStopperIsOn) {
     }
 }
 
+// After a heave friction in the hawse pipe is against the brake. As she comes to strain it turns.
+TEST(Gale, HawsePipeHelpsTheBrakeThatTookTheCableFromTheMotor) {
+    Drill drill = riding(10);
+    heave(drill);
+    onto_the_brake(drill);
+    const double before = drill.windlass().hawse_tension;
+    EXPECT_GT(drill.windlass().gypsy_load, before);
+    drill.wind(kGale);
+    ASSERT_TRUE(drill.run_until([&] { return drill.windlass().hawse_tension > 4 * before; }, 300));
+    EXPECT_EQ(drill.windlass().cable_speed, 0);
+    EXPECT_LT(drill.windlass().gypsy_load, 0.8 * drill.windlass().hawse_tension);
+}
+
 // Young Lady (MAIB 3/2008), snagged on a pipeline: the windlass failed while it had to pull the ship ahead.
 TEST(Gale, MotorTripsWhenItHasToPullTheShipAndNotWithTheEngineAhead) {
     for (const bool engine : {false, true}) {

@@ -116,15 +116,19 @@ DeckResult DriveLine::result(const TopLink& link) const {
     const double gear_out = loads_.gear.paying_out(r.motor) - r.motor; // >= 0
     const double gear_in = loads_.gear.heaving_in(r.motor) - r.motor;  // <= 0
     const double out = loads_.hawse_efficiency * r.pipe_pull, in = r.pipe_pull / loads_.hawse_efficiency;
+    const double least = std::min(out, in), most = std::max(out, in);
+    // A belt on a drum that stands keeps its pull behind the drum, whatever comes before it, until friction
+    // bears no more; then it slips. A move of the gypsy changes that pull by the stretch of the chain on
+    // deck.
+    r.standing_pull =
+        std::clamp(loads_.standing_pull - loads_.pipe_stiffness * r.speed * link.dt, least, most);
     if (r.speed != 0) {
         r.gypsy_load = r.speed > 0 ? out : in;
     } else {
-        // At rest the hawse pipe holds as it did when the chain last moved, unless brakes and stopper cannot
-        // answer that: then it takes what they leave, as far as friction goes.
-        const double as_before = loads_.last_direction > 0 ? out : in;
-        const double answered =
-            std::clamp(as_before, rest - loads_.holding_in + gear_in, rest + loads_.holding_out + gear_out);
-        r.gypsy_load = std::clamp(answered, std::min(out, in), std::max(out, in));
+        // What brakes and stopper cannot answer, friction takes, as far as it goes.
+        const double answered = std::clamp(r.standing_pull, rest - loads_.holding_in + gear_in,
+                                           rest + loads_.holding_out + gear_out);
+        r.gypsy_load = r.standing_pull = std::clamp(answered, least, most);
     }
     const double held = r.gypsy_load - rest;
     if (r.speed != 0) {
@@ -141,13 +145,13 @@ DeckResult DriveLine::result(const TopLink& link) const {
 
 template <class Visitor, StateOf<DeckResult> State>
 void visit_state(Visitor& v, State& result) {
-    auto& [speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, jam, end_stop] =
-        result;
-    WINDLASS_STATE(v, speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, jam,
-                   end_stop);
+    auto& [speed, hawse_tension, pipe_pull, gypsy_load, standing_pull, held, motor, gear, bitter_end, jam,
+           end_stop] = result;
+    WINDLASS_STATE(v, speed, hawse_tension, pipe_pull, gypsy_load, standing_pull, held, motor, gear,
+                   bitter_end, jam, end_stop);
     WINDLASS_WITHIN(v, -kFastest, kFastest, speed);
-    WINDLASS_WITHIN(v, -kStrongest, kStrongest, hawse_tension, pipe_pull, gypsy_load, held, motor, gear,
-                    bitter_end, jam, end_stop);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, hawse_tension, pipe_pull, gypsy_load, standing_pull, held,
+                    motor, gear, bitter_end, jam, end_stop);
 }
 WINDLASS_STATE_LISTED(DeckResult);
 

@@ -58,8 +58,9 @@ struct DeckLoads {
     InboardTie bitter_end, jam;  ///< in the locker; in the spurling pipe
     MotorPull motor;
     Gearbox gear;
-    double pipe_length = 0; ///< m, whose stretch the top link takes over
-    int last_direction = 1; ///< +1 last paid out, -1 last hove in: which way hawse friction still points
+    double pipe_length = 0;    ///< m, whose stretch the top link takes over
+    double pipe_stiffness = 0; ///< N/m, of the chain between gypsy and lip
+    double standing_pull = 0;  ///< that of the last step's DeckResult
 };
 
 /// What the step came to.
@@ -68,6 +69,7 @@ struct DeckResult {
     double hawse_tension = 0; ///< N, just outboard of the lip
     double pipe_pull = 0;     ///< N, on the gypsy if the hawse pipe had no friction
     double gypsy_load = 0;    ///< N, on the gypsy
+    double standing_pull = 0; ///< N, on the gypsy if it stood: friction keeps it so, and so far, at rest
     double held = 0;          ///< N, by brakes and stopper together; positive against paying out
     double motor = 0;         ///< N, before the gear, heaving positive
     double gear = 0;          ///< N, friction of the gear: the gypsy feels motor + gear

@@ -140,7 +140,8 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Equip
                               dt);
     }
     deck.pipe_length = def_.hawse_pipe_length;
-    deck.last_direction = state_.last_direction;
+    deck.pipe_stiffness = chain_stiffness_ / def_.hawse_pipe_length;
+    deck.standing_pull = loads_.deck.standing_pull;
     if (engaged && driving && !state_.gypsy.jumping) {
         deck.motor = prime_mover_pull(def_, state_.motor, causes);
         deck.gear = {kGearEfficiency, kGearEfficiencyBack};
@@ -185,7 +186,6 @@ void Windlass::settle(double dt, const DeckResult& deck, const EquipmentFaults& 
                 state_.counter);
     turn_gypsy(chain_diameter_, dt, deck.speed * dt, state_.gypsy);
     follow_chain(deck.speed * dt, stopper_play(chain_diameter_), state_.stopper);
-    if (deck.speed != 0) state_.last_direction = deck.speed > 0 ? 1 : -1;
     // Out of gear the motor runs light at what it is told.
     const bool engaged = state_.clutch.position == Clutch::in;
     state_.motor.speed = state_.motor.burst ? 0 : engaged ? deck.speed : state_.motor.target;
@@ -243,11 +243,10 @@ WINDLASS_STATE_LISTED(WindlassLevers);
 
 template <class Visitor, StateOf<WindlassState> State>
 void visit_state(Visitor& v, State& state) {
-    auto& [cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter, pipe,
-           bitter_end_parted, chain_gone] = state;
-    WINDLASS_STATE(v, cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter,
-                   pipe, bitter_end_parted, chain_gone);
-    v.within({"last_direction"}, last_direction, -1, 1);
+    auto& [cable_speed, cable_out, brake, clutch, stopper, motor, gypsy, counter, pipe, bitter_end_parted,
+           chain_gone] = state;
+    WINDLASS_STATE(v, cable_speed, cable_out, brake, clutch, stopper, motor, gypsy, counter, pipe,
+                   bitter_end_parted, chain_gone);
     WINDLASS_WITHIN(v, -kFastest, kFastest, cable_speed);
 }
 WINDLASS_STATE_LISTED(WindlassState);

@@ -35,7 +35,6 @@ void visit_state(Visitor& v, State& levers);
 struct WindlassState {
     double cable_speed = 0; ///< m/s at the gypsy, paying out positive
     double cable_out = 0;   ///< m, hawse pipe lip to anchor shackle
-    int last_direction = 1; ///< +1 last paid out, -1 last hove in
     BandBrakeState brake;
     DogClutchState clutch;
     ChainStopperState stopper;

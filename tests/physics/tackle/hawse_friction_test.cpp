@@ -43,6 +43,56 @@ TEST(HawseFriction, IsThatOfABeltOnADrumAndURA3sWithTheAnchorHanging) {
     EXPECT_NEAR(share(30 * kDegree, 0.5) * share(70 * kDegree, 0.5), share(100 * kDegree, 0.5), 1e-9);
 }
 
+/// A bench on which the cable was hove in against a pull (N) and is held by brake and shaft brake.
+GypsyBench held_after_heaving(double pull) {
+    GypsyBench bench;
+    bench.drive(0.3);
+    bench.run(3, pull);
+    EXPECT_LT(bench.speed(), -0.05);
+    bench.levers.speed = 0;
+    bench.levers.brake = 1;
+    bench.run(8, pull);
+    EXPECT_EQ(bench.speed(), 0);
+    return bench;
+}
+
+TEST(HawseFriction, HelpsTheBrakeWhenThePullRisesWhicheverWayTheChainMovedLast) {
+    GypsyBench bench = held_after_heaving(7e4);
+    const auto deck = [&]() -> const DeckResult& { return bench.windlass.loads().deck; };
+    EXPECT_GT(share(deck()), 1.3); // against the motor, up to here
+    const double stood = deck().gypsy_load;
+    bench.run(1, 1e5);
+    EXPECT_EQ(bench.speed(), 0);
+    EXPECT_NEAR(deck().gypsy_load, stood, 1e-6); // the pipe bears what has come
+    bench.run(1, 4e5);
+    EXPECT_EQ(bench.speed(), 0);
+    EXPECT_NEAR(share(deck()), 0.7, 1e-9);
+    EXPECT_NEAR(bench.windlass.loads().brake, deck().gypsy_load - bench.windlass.locker_weight(), 1e-3);
+    // As the pull falls the pipe bears it inboard: what stands on deck is held until there is half of it.
+    const double most = deck().gypsy_load;
+    bench.run(1, 3e5);
+    EXPECT_NEAR(deck().gypsy_load, most, 1e-6);
+    bench.run(1, 1e5);
+    EXPECT_NEAR(share(deck()), 1 / 0.7, 1e-9);
+}
+
+TEST(HawseFriction, TurnsWithAMoveThatStretchesTheChainOnDeckAndNotWithLess) {
+    // Claws that are not in line fall in while the drive turns them over, and it stops at once.
+    GypsyBench bench;
+    bench.run(1, 5e4);
+    ASSERT_NEAR(share(bench.windlass.loads().deck), 0.7, 1e-9);
+    bench.windlass.state().clutch.claw_offset = 0.5 * claw_pitch(bench.def);
+    bench.levers.clutch_in = true;
+    ASSERT_TRUE(bench.run_until([&] { return bench.state().clutch.position == Clutch::in; }, 5e4, 20));
+    bench.run(1, 5e4);
+    const double hove_in = 100 - bench.state().cable_out;
+    EXPECT_GT(hove_in, 0);
+    EXPECT_LT(hove_in, 1e-4);
+    const DeckResult& deck = bench.windlass.loads().deck;
+    const double stretch = hove_in * bench.chain.stiffness / bench.def.hawse_pipe_length;
+    EXPECT_NEAR(deck.gypsy_load, 0.7 * deck.pipe_pull + stretch, 0.01 * stretch);
+}
+
 HawsePipe port_pipe(const TackleSetup& setup) {
     const ShipDef ship;
     const ObstacleMesh mesh = hull_mesh(ship, setup.chain.contact_diameter);
