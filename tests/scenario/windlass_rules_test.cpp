@@ -93,6 +93,27 @@ TEST(ChainStopper, TakesTheLoadWhenTheBrakeIsEased) {
     EXPECT_EQ(drill.count("stopper.refused"), 1);
 }
 
+// "Take the weight, stopper off": also when the bar is thought of after the motor has drawn the cable up to
+// it.
+TEST(ChainStopper, LiftsWhileTheMotorHeavesAgainstIt) {
+    Drill drill(quiet_def(60, 25));
+    drill.run(1);
+    drill.stopper(true);
+    drill.clutch(true);
+    drill.run(1);
+    drill.brake(0);
+    drill.run(3);
+    drill.speed_lever(0.4);
+    drill.run(3);
+    EXPECT_EQ(drill.windlass().cable_speed, 0);
+    EXPECT_LT(drill.windlass().stopper_load, -1e5); // up against it from outboard
+    drill.stopper(false);
+    drill.run(0.5);
+    EXPECT_FALSE(drill.windlass().stopper_closed);
+    EXPECT_EQ(drill.count("stopper.refused"), 0);
+    EXPECT_LT(drill.windlass().cable_speed, -0.1);
+}
+
 TEST(Motor, WalksBackAtItsOwnSpeed) {
     Drill drill = in_gear(60);
     for (const double lever : {-0.25, -0.5, -1.0}) {

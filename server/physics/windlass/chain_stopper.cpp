@@ -14,9 +14,8 @@ constexpr double kBarLooseShare = 0.05; ///< of rated pull, below which a bar li
 
 void work_stopper(const WindlassDef& def, bool wanted_closed, double speed, double load,
                   const EquipmentFaults& causes, ChainStopperState& state) {
-    load = std::abs(load);
     if (causes.stopper_pin_out > 0 && state.closed &&
-        load >= (1 - causes.stopper_pin_out) * def.stopper_rating) {
+        std::abs(load) >= (1 - causes.stopper_pin_out) * def.stopper_rating) {
         state.sprung = true;
         state.closed = false;
     }
@@ -26,6 +25,8 @@ void work_stopper(const WindlassDef& def, bool wanted_closed, double speed, doub
     // A pawl falls on chain that comes in; nothing can be closed on chain that runs out.
     const bool may_drop =
         def.stopper == StopperKind::pawl ? speed < kStandstill : std::abs(speed) < kStandstill;
+    // Cable that would run out holds a bar down. One that is hove in against it lifts it, once its pin is
+    // drawn, with the round end of the next link.
     const bool free = wanted_closed ? may_drop : load < kBarLooseShare * def.rated_pull;
     if (free) state.closed = wanted_closed, state.room = 0;
     state.refused = !free;

@@ -27,7 +27,8 @@ inline double stopper_play(double diameter) {
 /// The chain has run out by so much (m; less than zero: come in) under the bar.
 void follow_chain(double run_out, double play, ChainStopperState& state);
 
-/// Moves bar or pawl as the lever wants. speed: m/s, paying out positive; load: N on the bar.
+/// Moves bar or pawl as the lever wants. speed: m/s, paying out positive; load: N on the bar, against paying
+/// out positive.
 void work_stopper(const WindlassDef& def, bool wanted_closed, double speed, double load,
                   const EquipmentFaults& causes, ChainStopperState& state);
 

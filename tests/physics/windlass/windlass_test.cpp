@@ -58,6 +58,11 @@ TEST(Stopper, LiftsOnceTheWindlassHasTheWeightAndBearsAgainADiameterFurther) {
     const double step = 0.2 * bench.dt; // m, by which the bar may be overrun: faster it does not come
     EXPECT_NEAR(100 - bench.state().cable_out, bench.chain.diameter, step);
     EXPECT_LT(bench.windlass.loads().stopper, -1e4);
+    bench.levers.stopper_closed = false; // the motor has the weight still, and more
+    bench.run(0.5, pull);
+    EXPECT_FALSE(bench.state().stopper.closed);
+    EXPECT_FALSE(bench.state().stopper.refused);
+    EXPECT_LT(bench.speed(), -0.05);
 }
 
 TEST(Clutch, GoesInOnlyNearStandstill) {
