@@ -125,7 +125,10 @@ test("the speed lever follows the hand, and springs back", async () => {
   const slider = await deck.find('[role="slider"][aria-label="speed lever"]');
   const { x, y, width, height } = await slider.getRect();
   const middle = { x: x + width / 2, y: y + height / 2 };
-  const knob = await deck.driver.executeScript<number>("return arguments[0].querySelector('.knob').offsetHeight", slider);
+  const knob = await deck.driver.executeScript<number>(
+    "return arguments[0].querySelector('.knob').offsetHeight",
+    slider,
+  );
   const half = { x: middle.x, y: middle.y - 0.5 * ((height - knob) / 2) };
   await eventually("half speed while it is held", async () => {
     const hand = deck.drag([middle, half], 200, 4000);
