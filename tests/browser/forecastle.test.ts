@@ -646,6 +646,7 @@ test("the picture is drawn, from where the keys say, and the same again when not
       async () => (await page.getByRole("button", { name, exact: true }).getAttribute("aria-pressed")) === "true",
     );
   }
+  await eventually("nothing is heard any more", async () => (await page.locator(".captions").innerText()) === "");
   await eventually("two pictures are the same", async () => (await picture()).equals(await picture()), 60000);
 
   // Who leans over the rail looks closer by a button that is to be seen; no pointer lies on it, nor the focus.
