@@ -1,7 +1,6 @@
 #include "server/host/pacer.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace windlass::host {
 
@@ -9,8 +8,10 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-constexpr double kShortestBeat = 0.002; // s; below, waking up late costs more than the beat
-constexpr Seconds kStandingBeat{0.010}; // an order is heard within this while the exercise stands still
+/// An order is heard within this. Shorter, most of what a beat costs is a thread that wakes, to find in its
+/// caches what other exercises have left there.
+constexpr Seconds kBeat{0.010};
+constexpr double kRounding = 1e-6; // a tick of 1/300 s goes three times into a beat
 constexpr Seconds kMeasuringTime{1.0};
 
 } // namespace
@@ -48,11 +49,11 @@ void Pacer::restart(Time now) {
 
 int Pacer::ticks_per_beat() const {
     if (standing_ || rate() <= 0) return 1;
-    return std::max(1, static_cast<int>(std::ceil(kShortestBeat * rate() / dt_)));
+    return std::max(1, static_cast<int>(kBeat.count() * rate() / dt_ + kRounding));
 }
 
 std::chrono::nanoseconds Pacer::period(int ticks) const {
-    const Seconds period = standing_ ? kStandingBeat : Seconds(std::max(1, ticks) * dt_ / rate());
+    const Seconds period = standing_ ? kBeat : Seconds(std::max(1, ticks) * dt_ / rate());
     return std::chrono::duration_cast<std::chrono::nanoseconds>(period);
 }
 

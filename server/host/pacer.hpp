@@ -6,9 +6,8 @@
 
 namespace windlass::host {
 
-/// Says when the next beat is due. A beat is one tick, or several when the exercise is hurried so much that
-/// ticks would be shorter than a thread can sleep. A beat that ends after the next one was due is an overrun:
-/// it is counted and the time lost is not chased.
+/// Says when the next beat is due. A beat is the ticks of ten milliseconds, or one that is longer. A beat
+/// that ends after the next one was due is an overrun: it is counted and the time lost is not chased.
 class Pacer {
 public:
     using Time = std::chrono::steady_clock::time_point;

@@ -10,6 +10,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kTick = 0.005;
+constexpr double kBeat = 2 * kTick;
 const Pacer::Time kStart{1000s};
 
 double seconds(std::chrono::steady_clock::duration d) {
@@ -30,7 +31,7 @@ double run(Pacer& pacer, Pacer::Time& now, int beats, std::chrono::microseconds 
 TEST(Pacer, KeepsRealTimeWithoutDrift) {
     Pacer pacer(kTick, 1, kStart);
     auto now = kStart;
-    EXPECT_NEAR(run(pacer, now, 20000, 700us), 100, kTick);
+    EXPECT_NEAR(run(pacer, now, 10000, 700us), 100, kBeat);
     EXPECT_EQ(pacer.overruns(), 0U);
     EXPECT_NEAR(pacer.scale_achieved(), 1, 0.01);
 }
@@ -67,20 +68,30 @@ TEST(Pacer, HeldBackItGoesNoFasterThanRealTimeAndThenAsBefore) {
     EXPECT_NEAR(run(slow, now, 100, 100us), 100 * kTick / 0.5, 2 * kTick) << "one that is slower stays so";
 }
 
-TEST(Pacer, BeatIsNeverShorterThanAThreadCanSleep) {
-    Pacer pacer(1.0 / 300, 20, kStart);
-    EXPECT_GE(pacer.ticks_per_beat() / 300.0 / 20, 0.002);
-    Pacer slow(1.0 / 300, 1, kStart);
-    EXPECT_EQ(slow.ticks_per_beat(), 1);
+/// What costs with many exercises is not a tick but to come upon another's (bench/README.md).
+TEST(Pacer, BeatIsAsManyTicksAsGoIntoTenMilliseconds) {
+    EXPECT_EQ(Pacer(1.0 / 300, 1, kStart).ticks_per_beat(), 3);
+    EXPECT_EQ(Pacer(1.0 / 300, 8, kStart).ticks_per_beat(), 24);
+    EXPECT_EQ(Pacer(1.0 / 300, 0.1, kStart).ticks_per_beat(), 1);
+    EXPECT_EQ(Pacer(1.0 / 60, 1, kStart).ticks_per_beat(), 1);
+    EXPECT_EQ(Pacer(1.0 / 240, 1, kStart).ticks_per_beat(), 2);
+}
+
+TEST(Pacer, NobodyWaitsLongerThanTenMillisecondsToBeHeard) {
+    for (const double scale : {1.0, 0.7, 20.0}) {
+        Pacer pacer(1.0 / 300, scale, kStart);
+        pacer.beat_ended(pacer.ticks_per_beat(), kStart);
+        EXPECT_LE(pacer.due() - kStart, 10ms) << scale;
+    }
 }
 
 TEST(Pacer, OverrunIsCountedAndLostTimeIsNotChased) {
     Pacer pacer(kTick, 1, kStart);
     auto now = kStart;
-    run(pacer, now, 1, 105ms); // one tick that took 105 ms
+    run(pacer, now, 1, 110ms); // one beat that took 110 ms
     EXPECT_EQ(pacer.overruns(), 1U);
     EXPECT_NEAR(pacer.lateness(), 0.100, 1e-9);
-    EXPECT_NEAR(run(pacer, now, 200, 1ms), 200 * kTick, kTick); // then as before, no faster
+    EXPECT_NEAR(run(pacer, now, 200, 1ms), 200 * kBeat, kBeat); // then as before, no faster
     EXPECT_EQ(pacer.overruns(), 1U);
     EXPECT_EQ(pacer.lateness(), 0);
 }
@@ -97,10 +108,10 @@ TEST(Pacer, BeatOfFewerTicksThanThereWereToRunLosesNoTime) {
     EXPECT_TRUE(pacer.hurried());
 }
 
-TEST(Pacer, EveryLateTickCounts) {
+TEST(Pacer, EveryLateBeatCounts) {
     Pacer pacer(kTick, 1, kStart);
     auto now = kStart;
-    run(pacer, now, 400, 10ms); // a machine half as fast as needed
+    run(pacer, now, 400, 20ms); // a machine half as fast as needed
     EXPECT_EQ(pacer.overruns(), 400U);
     EXPECT_NEAR(pacer.scale_achieved(), 0.5, 0.01);
 }
@@ -120,7 +131,7 @@ TEST(Pacer, TimeStandingStillIsNotMadeUpAfterwards) {
     pacer.set_standing(true, now);
     EXPECT_NEAR(run(pacer, now, 1000, 1ms), 10, 0.02);
     pacer.set_standing(false, now);
-    EXPECT_NEAR(run(pacer, now, 200, 1ms), 1, 2 * kTick);
+    EXPECT_NEAR(run(pacer, now, 100, 1ms), 1, 2 * kTick);
     EXPECT_EQ(pacer.overruns(), 0U);
 }
 
