@@ -29,6 +29,8 @@ constexpr double kWaitsLonger = 30; // s for the repeat of an order where it wai
 constexpr const char* kLastCall = "this is my last call, then I send another man forward";
 // To an answer that is not so: he is to look, and not to try figures.
 constexpr const char* kDoubts = "that does not agree with my reckoning; look again and report";
+// To who tries one figure after the other until one is taken.
+constexpr const char* kGuesses = "do not guess; look again, and report what you see";
 constexpr const char* kSendsToLook = "I send a man forward to look";
 constexpr std::size_t kMostText = 256; // bytes of an order's text; of the IDL
 constexpr double kRenews = 8;          // s after it has heard that less was done than it ordered
@@ -257,6 +259,36 @@ double waits_for_truth(const Lesson& lesson) {
 void has_its_answer(State& state) {
     state.asked = 0;
     state.misled_at = -1;
+    state.tried.clear();
+}
+
+/// Whether he tries figures, and has yet to be told that none is taken any more.
+bool is_guessing(const State& state) {
+    return state.question >= 0 && state.tried.size() >= kMostTried;
+}
+
+bool say_the_same(const Heard& one, const Heard& other) {
+    return one.code == other.code && one.side == other.side && one.value == other.value &&
+           one.lead == other.lead && one.stay == other.stay && one.growing == other.growing &&
+           one.weight == other.weight;
+}
+
+/// Whether a report is a guess, and no answer to what the bridge has asked: the first figure is the answer, a
+/// second one puts it right, and who has a third has not looked. The same once more is no other.
+bool is_a_guess(const Heard& report, const Look& look) {
+    State& state = look.state;
+    if (state.asked == 0 || state.question < 0 || !answers(asked_last(state), report.code) ||
+        !gives_a_figure(report.code))
+        return false;
+    const bool may_be_taken = state.tried.size() + 1 < kMostTried;
+    if (may_be_taken && !is_false(report, look)) return false;
+    const bool is_new =
+        std::ranges::none_of(state.tried, [&](const Heard& before) { return say_the_same(before, report); });
+    if (is_new && !is_guessing(state)) state.tried.push_back(report);
+    if (!is_guessing(state)) return false;
+    for (OrderCourse& course : state.orders) // nor does it renew one by what he tried
+        course.short_of = -1;
+    return true;
 }
 
 /// What it says when it asks. at_last: what it adds the last time, of what comes then.
@@ -290,6 +322,7 @@ public:
         const int next = next_order();
         if (next >= 0 && gives(static_cast<std::size_t>(next))) return true;
         if (lesson_.patience <= 0) return true;
+        if (is_guessing(state_)) return stop_guesses(newest_given(state_));
         const int k = open_order(lesson_, state_);
         return k >= 0 ? prompt(static_cast<std::size_t>(k)) : ask_for_report(newest_given(state_));
     }
@@ -370,7 +403,7 @@ private:
         if (!heard(next.given)) return false;
         state_.orders[k].asked_for = true;
         say(next.given);
-        state_.asked = 0;
+        has_its_answer(state_);
         return true;
     }
 
@@ -388,7 +421,7 @@ private:
         course.doubted = -1;
         if (!course.unsafe) return again(k, "that is safe; carry it out");
         course.challenged = state_.tick;
-        state_.asked = 0;
+        has_its_answer(state_);
         say(back);
         orders_what_is_proposed(course, order.side);
         return true;
@@ -417,6 +450,8 @@ private:
     void say(const BridgeOrderGiven& given) {
         state_.spoke_at = state_.tick;
         state_.misled_at = -1;
+        // Who has put a figure right once is to look before he says another.
+        if (state_.tried.size() > 1) state_.tried.resize(1);
         due_.emplace_back(given);
     }
 
@@ -468,9 +503,17 @@ private:
         if (when == nullptr || men_work() || !waited) return true;
         const std::int64_t since = newest < 0 ? 0 : state_.orders[static_cast<std::size_t>(newest)].given;
         const auto report = awaited(*when, lesson_, state_, since);
-        if (!report) return true;
-        return ask(question_for(*report),
-                   newest >= 0 ? lesson_.orders[static_cast<std::size_t>(newest)].given.side : lesson_.side);
+        return !report || ask(question_for(*report), side_of(newest));
+    }
+
+    /// Of the order in that place; -1: the lesson's.
+    int side_of(int order) const {
+        return order >= 0 ? lesson_.orders[static_cast<std::size_t>(order)].given.side : lesson_.side;
+    }
+
+    /// Asks once more him who tries figures: what he has said is no answer.
+    bool stop_guesses(int newest) {
+        return !passed(state_.tried.back().tick, kCorrects) || ask(asked_last(state_).code, side_of(newest));
     }
 
     bool patient() {
@@ -487,7 +530,8 @@ private:
         if (!heard(given)) return true;
         if (!patient()) return false;
         const bool doubts = state_.misled_at >= 0;
-        given.text = call_words(doubts ? kDoubts : "", doubts ? kSendsToLook : kLastCall, "", state_);
+        const char* words = is_guessing(state_) ? kGuesses : doubts ? kDoubts : "";
+        given.text = call_words(words, doubts ? kSendsToLook : kLastCall, "", state_);
         state_.question = static_cast<int>(question);
         say(given);
         return true;
@@ -544,6 +588,7 @@ void take_answer(const Heard& report, const Look& look) {
         }
         return;
     }
+    if (is_a_guess(report, look)) return;
     if (is_shackles(report.code))
         for (int side = 0; side < 2; ++side)
             if (report.side < 0 || report.side == side)
@@ -600,6 +645,10 @@ std::int64_t gives_up_at(const Lesson& lesson, const State& state, int tick_rate
     } else if (state.misled_at >= 0) {
         since = state.misled_at;
         sooner = wait - waits_for_truth(lesson);
+    }
+    if (is_guessing(state)) {
+        since = state.tried.back().tick;
+        sooner = wait - kCorrects;
     }
     const double in_all = (kMostAsked - state.asked) * wait + std::max(wait, at_last) - sooner;
     return since + std::llround(in_all * tick_rate);

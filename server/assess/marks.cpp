@@ -285,26 +285,50 @@ void sum_slots(const Criterion& criterion, Mark& mark, const State& state) {
     mark.milli = sum / given;
 }
 
+/// Place in the criterion's orders of the newest whose figure was wrong; -1: none.
+int slot_gone_wrong(const Criterion& criterion, const Mark& mark) {
+    int slot = static_cast<int>(criterion.orders.size()) - 1;
+    while (slot >= 0 && (mark.slots & slot_bit(slot, Slot::wrong)) == 0)
+        --slot;
+    return slot;
+}
+
 /// A figure that belongs to the order that was given last: right where and when that was carried out.
 /// Another one that is wrong takes it away again, however often it is made; a wrong one before the first of
-/// these orders takes that of the first.
-void take_for_order(const Criterion& criterion, Mark& mark, int earned, double reached, const State& state,
-                    const Lesson& lesson) {
-    const int slot = slot_of(criterion, state);
+/// these orders takes that of the first. The first word on an order, where it is wrong, may be put right once
+/// and at once, which leaves half of it: who says a third tries figures.
+void take_for_order(const Criterion& criterion, Mark& mark, int earned, double reached, const Look& look) {
+    const State& state = look.state;
+    const bool in_time = mark.reported >= 0 && state.tick - mark.reported <= ticks(kRightAtOnce, look);
+    const int put_right = earned > 0 && in_time ? slot_gone_wrong(criterion, mark) : -1;
+    // The bridge may have gone on by what was wrong.
+    const int slot = put_right >= 0 ? put_right : slot_of(criterion, state);
     if (earned == 0) ++mark.wrong;
     if (slot < 0) {
-        if (earned == 0) mark.since = state.tick;
+        mark.reported = earned == 0 && mark.since < 0 ? state.tick : -1;
+        if (earned == 0)
+            mark.since = state.tick;
+        else if (in_time)
+            mark.since = -1;
         return;
     }
+    const std::int64_t answered = slot_bit(slot, Slot::answered), half = slot_bit(slot, Slot::half),
+                       wrong = slot_bit(slot, Slot::wrong);
     const auto& given =
-        lesson.orders[static_cast<std::size_t>(criterion.orders[static_cast<std::size_t>(slot)])].given;
+        look.lesson.orders[static_cast<std::size_t>(criterion.orders[static_cast<std::size_t>(slot)])].given;
     const bool there = given.value <= 0 || given.code == exercise::BridgeOrderCode::heave_to
                            ? given.value <= 0 || reached <= given.value + kThereShort
                            : reached >= given.value - kThereShort;
-    if (earned == 0)
-        mark.slots |= slot_bit(slot, Slot::wrong);
-    else if (there && (mark.slots & slot_bit(slot, Slot::answered)) == 0)
-        mark.slots |= slot_bit(slot, Slot::answered) | (earned < 1000 ? slot_bit(slot, Slot::half) : 0);
+    if (earned == 0) {
+        mark.reported = (mark.slots & (answered | half | wrong)) == 0 ? state.tick : -1;
+        mark.slots |= wrong;
+    } else {
+        if (put_right >= 0) {
+            mark.slots = (mark.slots & ~wrong) | half;
+            mark.reported = -1;
+        }
+        if (there && (mark.slots & answered) == 0) mark.slots |= answered | (earned < 1000 ? half : 0);
+    }
     sum_slots(criterion, mark, state);
 }
 
@@ -558,6 +582,10 @@ Heard as_asked(const Criterion& criterion, const Heard& report) {
 
 } // namespace
 
+bool gives_a_figure(exercise::ReportCode code) {
+    return code == exercise::ReportCode::growing || words::row_of(as_lead({.code = code}).code).half_off > 0;
+}
+
 bool is_false(const Heard& heard, const Look& look) {
     if (heard.side < 0 && look.lesson.two_sides) return false; // of which of the two he speaks nobody knows
     const int side = heard.side < 0 ? look.lesson.side : heard.side;
@@ -636,7 +664,7 @@ void take_report(const Criterion& criterion, Mark& mark, const Heard& heard, con
         judged(one);
         if (!criterion.orders.empty())
             return take_for_order(criterion, mark, one.milli,
-                                  tackle.chain.cable_out / physics::kShackleLength, look.state, look.lesson);
+                                  tackle.chain.cable_out / physics::kShackleLength, look);
         return count(criterion, mark, one.milli, look.tick());
     }
     }

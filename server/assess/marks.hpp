@@ -51,8 +51,12 @@ constexpr bool is_met(int milli) {
 /// place.
 bool is_report(const Criterion& criterion, exercise::ReportCode code);
 
+/// Whether such a report gives something that can be held against a tick: shackles, turns, a lead, a weight,
+/// how the cable grows.
+bool gives_a_figure(exercise::ReportCode code);
+
 /// Whether a report gives something that can be held against this tick, and is not so by more than what earns
-/// half a mark: shackles, turns, a lead, a weight, how the cable grows. Of anything else it is not known.
+/// half a mark. Of anything else it is not known.
 bool is_false(const Heard& heard, const Look& look);
 
 /// The report that a criterion asks for, with the figures that are true at this tick; nothing: it asks for

@@ -29,6 +29,17 @@ void visit_came(Visitor& v, const char* name, List& list) {
 }
 
 template <class Visitor, class Report>
+void visit_heard(Visitor& v, Report& report) {
+    auto& [came, code, side, value, lead, stay, growing, weight, order_number, proposed] = report;
+    WINDLASS_STATE(v, came, side, value, lead, order_number);
+    v.whole({"code"}, code);
+    v.whole({"stay"}, stay);
+    v.whole({"growing"}, growing);
+    v.whole({"weight"}, weight);
+    v.whole({"proposed"}, proposed);
+}
+
+template <class Visitor, class Report>
 void visit_judged(Visitor& v, Report& report) {
     auto& [criterion, came, milli, code, so, said, truth, top_angle, missing, stay, growing] = report;
     WINDLASS_STATE(v, criterion, came, milli, so, said, truth, top_angle, missing, stay, growing);
@@ -55,9 +66,9 @@ State fresh(const Lesson& lesson) {
 template <class Visitor, physics::StateOf<State> Self>
 void visit_state(Visitor& v, Self& self) {
     auto& [begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up, seed,
-           own_due, intervened, question, heard_at, spoke_at, misled_at, told, confirmed, events, reports,
-           moments, orders, further, faults, fault_since, marks, held, hints, heard, judged, waiting, unasked,
-           growth, questions, aids, ghost_on, hint_asked] = self;
+           own_due, intervened, question, heard_at, spoke_at, misled_at, tried, told, confirmed, events,
+           reports, moments, orders, further, faults, fault_since, marks, held, hints, heard, judged, waiting,
+           unasked, growth, questions, aids, ghost_on, hint_asked] = self;
     WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up,
                    seed, own_due, intervened, question, heard_at, spoke_at, misled_at, confirmed);
     for (auto& shackles : told)
@@ -115,15 +126,11 @@ void visit_state(Visitor& v, Self& self) {
     for (auto& given : hints)
         v.field({"hint"}, given);
     v.length({"heard"}, heard, kMaxHeard);
-    for (auto& report : heard) {
-        auto& [came, code, side, value, lead, stay, growing, weight, order_number, proposed] = report;
-        WINDLASS_STATE(v, came, side, value, lead, order_number);
-        v.whole({"code"}, code);
-        v.whole({"stay"}, stay);
-        v.whole({"growing"}, growing);
-        v.whole({"weight"}, weight);
-        v.whole({"proposed"}, proposed);
-    }
+    for (auto& report : heard)
+        visit_heard(v, report);
+    v.length({"tried"}, tried, kMostTried);
+    for (auto& report : tried)
+        visit_heard(v, report);
     v.length({"judged"}, judged, kMostJudged);
     for (auto& report : judged) {
         visit_judged(v, report);

@@ -83,7 +83,8 @@ struct Mark {
     std::int64_t slots = 0; ///< report of orders: kSlots bits each, of those answered, half right, wrong
     std::int64_t pending = -1; ///< report of a state that was not so yet: when it came
     exercise::Growing said = exercise::Growing::not_given; ///< reported, and waits for its ten seconds
-    std::int64_t reported = -1;        ///< when the report came that waits for its truth; of a state: unasked
+    std::int64_t reported = -1; ///< when the report came that waits for its truth; of a state: unasked; of
+                                ///< orders: that was wrong, and may be put right
     double shown = 0, shown_angle = 0; ///< report of a moment: what the tackle showed then (JudgedReport)
     bool overridden = false;           ///< an assessor's word stands in its place
     int given_milli = 0;               ///< by him; -1: not applicable
@@ -159,6 +160,7 @@ struct AidTaken {
 };
 inline constexpr std::size_t kMostAids = 32; ///< the first of them; of the IDL
 
+inline constexpr std::size_t kMostTried = 3;    ///< figures to one asking: the third is a guess
 inline constexpr std::size_t kMostJudged = 256; ///< reports, the first of them; of the IDL
 inline constexpr std::size_t kMostUnasked = 64; ///< of those that no criterion asks for, the false ones
 
@@ -183,7 +185,10 @@ struct State {
     bool intervened = false;                   ///< others went in, by an instructor
     int question = -1;                         ///< BridgeOrderCode that it asked last; -1: it was answered
     std::int64_t heard_at = -1, spoke_at = -1; ///< ticks of the last words of forecastle and bridge
-    std::int64_t misled_at = -1;        ///< of the first answer that is not so; -1: none since it asked
+    std::int64_t misled_at = -1; ///< of the first answer that is not so; -1: none since it asked
+    /// Figures that differ and were not so, in answer to what it asked last: his answer and what puts it
+    /// right. A third, so or not, is a guess.
+    std::vector<Heard> tried;
     std::array<double, 2> told{-1, -1}; ///< shackles in the pipe as last reported; -1: never
     bool confirmed = false;
     std::vector<Came> events, reports, moments;

@@ -495,6 +495,91 @@ TEST(Bridge, IsContentWithAWordThatPutsAFalseOneRight) {
     EXPECT_FALSE(bridge.now().finished);
 }
 
+namespace {
+
+const std::string kNoGuesses = "do not guess; look again, and report what you see";
+
+} // namespace
+
+// The first figure is his answer and a second one puts it right. Of who goes on until one is taken the bridge
+// takes none, be it right, before it has asked again.
+TEST(Bridge, TakesNoThirdFigureOfWhoTriesThem) {
+    Bridge bridge(waits_to_secure(240));
+    bridge.chain().cable_out = 60; // 2.2 in the pipe
+    bridge.on(243);
+    ASSERT_EQ(bridge.said.size(), 2U);
+    for (const double shackles : {5.0, 4.5, 2.0}) {
+        bridge.report(ReportCode::shackles_in_pipe, shackles);
+        bridge.on(0.5);
+    }
+    EXPECT_EQ(bridge.state().asked, 1) << "what he hit on is no answer";
+    bridge.on(2);
+    ASSERT_EQ(bridge.said.size(), 3U) << "and is told so at once";
+    EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::how_much);
+    EXPECT_EQ(bridge.said[2].text, kNoGuesses);
+    bridge.report(ReportCode::shackles_in_pipe, 2.2); // he has looked
+    bridge.on(1);
+    EXPECT_EQ(bridge.state().asked, 0);
+    EXPECT_FALSE(bridge.now().finished);
+}
+
+TEST(Bridge, SendsAManForwardWhereOneGoesOnToTryFigures) {
+    Bridge bridge(waits_to_secure(240));
+    bridge.chain().cable_out = 60;
+    bridge.on(243);
+    double figure = 12;
+    std::int64_t foretold = -1;
+    while (!bridge.now().finished && bridge.seen().time < 400) {
+        if (figure > 4) bridge.report(ReportCode::shackles_in_pipe, figure -= 0.5);
+        bridge.on(1);
+        const std::int64_t at = gives_up_at(bridge.taught(), bridge.state(), kRate);
+        if (at >= 0) foretold = at;
+    }
+    ASSERT_EQ(bridge.said.size(), 4U);
+    EXPECT_EQ(bridge.said[2].text, kNoGuesses);
+    EXPECT_EQ(bridge.said[3].text, kNoGuesses + "; I send a man forward to look");
+    EXPECT_LT(bridge.seen().time, 260);
+    EXPECT_EQ(foretold, bridge.state().ended);
+    EXPECT_EQ(bridge.now().abort,
+              "the bridge was told what is not so when it asked \"how much port cable is out?\"");
+}
+
+// An order to a length is answered by what is heard; not by what is tried.
+TEST(Bridge, GoesOnFromNoLengthThatWasTried) {
+    Bridge bridge(kPayOut);
+    bridge.chain().cable_out = 3 * 27.5;
+    bridge.on(65);
+    ASSERT_EQ(bridge.said.size(), 2U);
+    ASSERT_EQ(bridge.said[1].code, BridgeOrderCode::how_much);
+    for (const double shackles : {0.5, 1.0, 2.0}) {
+        bridge.report(ReportCode::shackles_in_pipe, shackles);
+        bridge.on(0.5);
+    }
+    bridge.on(12);
+    ASSERT_EQ(bridge.said.size(), 3U);
+    EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::how_much);
+    EXPECT_EQ(bridge.said[2].text, kNoGuesses);
+    bridge.report(ReportCode::shackles_in_pipe, 3);
+    bridge.on(1);
+    ASSERT_EQ(bridge.said.size(), 4U);
+    EXPECT_EQ(bridge.said[3].code, BridgeOrderCode::secure) << "three are reported";
+}
+
+// Each was so as it was said.
+TEST(Bridge, TakesFiguresThatRiseAsTheCableRuns) {
+    Bridge bridge(kPayOut);
+    bridge.on(65);
+    ASSERT_EQ(bridge.said.back().code, BridgeOrderCode::how_much);
+    for (const double shackles : {0.5, 1.0, 1.5, 2.0}) {
+        bridge.chain().cable_out = shackles * 27.5;
+        bridge.report(ReportCode::shackles_in_pipe, shackles);
+        bridge.on(2);
+    }
+    ASSERT_EQ(bridge.said.size(), 3U);
+    EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::pay_out);
+    EXPECT_EQ(bridge.said[2].value, 3);
+}
+
 // He lied once and fell silent: in the end it waits for an answer, and there is none.
 TEST(Bridge, ThatHadNoAnswerInTheEndWasNotToldWhatIsNotSo) {
     Bridge bridge(kWaitsToSecure);

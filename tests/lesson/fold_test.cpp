@@ -237,7 +237,7 @@ TEST(Assessment, ReasonOfAStateThatCameTooLateSaysByHowMuch) {
 }
 
 // Each order wants its figure, when and where it is carried out; one before it is none of it, and a wrong one
-// takes away the right one.
+// takes away the right one, or half of it where it is put right at once.
 TEST(Assessment, AReportOfAFigureBelongsToItsOrder) {
     const auto play = [](const std::vector<std::pair<double, double>>& reports) { // m out, shackles said
         Course course(lesson(
@@ -265,8 +265,51 @@ TEST(Assessment, AReportOfAFigureBelongsToItsOrder) {
     EXPECT_EQ(play({{5, -1}, {5, -1}, {kTwo, 2}, {kTwo, -1}, {kThree, 3}}), 1000);
     EXPECT_EQ(play({{5, 0.2}, {5, 0.2}, {5, -1}, {5, -1}, {kThree, -1}}), 0) << "true, and of no order";
     EXPECT_EQ(play({{5, -1}, {5, -1}, {5, 0.2}, {kTwo, -1}, {kThree, 3}}), 500) << "true, and not there yet";
-    EXPECT_EQ(play({{5, -1}, {5, -1}, {kTwo, 2}, {kTwo, 4}, {kThree, 3}}), 500) << "said otherwise as well";
-    EXPECT_EQ(play({{5, -1}, {5, -1}, {kTwo, 4}, {kTwo, 2}, {kThree, 3}}), 500);
+    EXPECT_EQ(play({{5, -1}, {5, -1}, {kTwo, 2}, {kTwo, 4}}), 500) << "said otherwise of the next";
+    EXPECT_EQ(play({{5, -1}, {5, -1}, {kTwo, 2}, {kTwo, 4}, {kThree, 3}}), 750) << "and put right";
+    EXPECT_EQ(play({{5, -1}, {5, -1}, {kTwo, 4}, {kTwo, 2}, {kThree, 3}}), 750)
+        << "put right as the next order comes";
+    EXPECT_EQ(play({{5, -1}, {5, 3}, {kTwo, 2}, {kTwo, -1}, {kThree, 3}}), 750);
+}
+
+// The first figure is the answer. One that puts it right at once is an honest man's, and leaves half; who
+// goes on has not looked.
+TEST(Assessment, AFigureIsPutRightOnceAndIsNotTried) {
+    // s after the one before, shackles said; four are out, and are ordered at a minute
+    const auto said = [](const std::vector<std::pair<double, double>>& reports) {
+        Course course(
+            lesson(R"({"id": "r", "kind": "report", "report": "shackles_in_pipe", "orders": ["four"]})",
+                   R"(, "orders": [{"id": "four", "code": "pay_out", "value": 4, "when": {"time": 60}}])"));
+        course.chain().cable_out = 4 * 27.5 - 1.5;
+        const auto run = [&](double seconds) {
+            for (int k = 0; k < std::lround(seconds * kRate); ++k) {
+                course.run(1.0 / kRate);
+                for (const exercise::Order& order : course.due)
+                    course.seen().bridge_orders.push_back(
+                        {.number = 1, .given = std::get<exercise::BridgeOrderGiven>(order)});
+                course.due.clear();
+            }
+        };
+        for (const auto& [after, shackles] : reports) {
+            run(after);
+            course.report(exercise::ReportCode::shackles_in_pipe, shackles);
+        }
+        run(1);
+        course.end();
+        return course.mark().milli;
+    };
+    EXPECT_EQ(said({{65, 4}}), 1000);
+    EXPECT_EQ(said({{65, 4}, {5, 4.2}, {5, 3.8}}), 1000) << "right, and right again";
+    EXPECT_EQ(said({{65, 2}, {5, 4}}), 500);
+    EXPECT_EQ(said({{65, 2}, {14.9, 4}}), 500);
+    EXPECT_EQ(said({{65, 2}, {15.2, 4}}), 0) << "not at once";
+    EXPECT_EQ(said({{65, 2}, {5, 4}, {5, 4}}), 500) << "and says it once more";
+    EXPECT_EQ(said({{65, 2}, {5, 2.5}, {5, 4}}), 0) << "tries figures";
+    EXPECT_EQ(said({{65, 2}, {5, 4}, {5, 6}}), 0);
+    EXPECT_EQ(said({{65, 2}, {5, 4}, {5, 6}, {5, 4}}), 0);
+    EXPECT_EQ(said({{65, 4}, {5, 2}}), 0) << "what was right is taken back";
+    EXPECT_EQ(said({{20, 2}, {45, 4}}), 0) << "before the order, and never put right";
+    EXPECT_EQ(said({{20, 2}, {5, 4}, {40, 4}}), 1000) << "put right before it was asked for";
 }
 
 // L12 once gave 85 points to who did nothing: limits that nothing came near.
