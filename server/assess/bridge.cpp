@@ -55,6 +55,19 @@ bool is_shackles(ReportCode code) {
            code == ReportCode::shackles_in_water;
 }
 
+/// Whether a report tells of a fault that stops the work.
+bool is_trouble(ReportCode code) {
+    switch (code) {
+    case ReportCode::no_power:
+    case ReportCode::does_not_run:
+    case ReportCode::brake_does_not_hold:
+    case ReportCode::defect:
+        return true;
+    default:
+        return false;
+    }
+}
+
 /// The reports that tell that an order is carried out, or answer a question, first the one for which the
 /// bridge calls; those of shackles are apart.
 std::vector<ReportCode> told_by(BridgeOrderCode order) {
@@ -291,14 +304,17 @@ bool is_a_guess(const Heard& report, const Look& look) {
     return true;
 }
 
-/// What it says when it asks. at_last: what it adds the last time, of what comes then.
-std::string call_words(const std::string& words, const char* at_last, const std::string& text,
-                       const State& state) {
+/// What it says when it asks, first that it has heard of a fault: what to do about it is not said by a bridge
+/// that tests who knows. at_last: what it adds the last time, of what comes then.
+std::string call_words(std::string says, const char* at_last, const std::string& text, const State& state) {
+    if (state.trouble != ReportCode::text)
+        says = "understood, " + words::report_text({.code = static_cast<std::size_t>(state.trouble)}) +
+               (says.empty() ? "" : "; ") + says;
     const std::string last =
-        state.asked < kMostAsked ? "" : (words.empty() ? "" : "; ") + std::string(at_last);
+        state.asked < kMostAsked ? "" : (says.empty() ? "" : "; ") + std::string(at_last);
     const std::string order = text.empty() ? "" : ": " + text;
-    const bool fits = words.size() + last.size() + order.size() <= kMostText;
-    return words + (fits ? last : "") + order;
+    const bool fits = says.size() + last.size() + order.size() <= kMostText;
+    return says + (fits ? last : "") + order;
 }
 
 /// Whether what has been reported is all that an order to pay out would ask for.
@@ -450,6 +466,7 @@ private:
     void say(const BridgeOrderGiven& given) {
         state_.spoke_at = state_.tick;
         state_.misled_at = -1;
+        state_.trouble = ReportCode::text;
         // Who has put a figure right once is to look before he says another.
         if (state_.tried.size() > 1) state_.tried.resize(1);
         due_.emplace_back(given);
@@ -579,6 +596,7 @@ void take_answer(const Heard& report, const Look& look) {
     const Lesson& lesson = look.lesson;
     State& state = look.state;
     state.heard_at = state.tick;
+    if (is_trouble(report.code)) state.trouble = report.code;
     if (report.code == ReportCode::unsafe) {
         if (const int k = called_unsafe(lesson, state, report); k >= 0) {
             OrderCourse& course = state.orders[static_cast<std::size_t>(k)];

@@ -66,11 +66,12 @@ State fresh(const Lesson& lesson) {
 template <class Visitor, physics::StateOf<State> Self>
 void visit_state(Visitor& v, Self& self) {
     auto& [begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up, seed,
-           own_due, intervened, question, heard_at, spoke_at, misled_at, tried, told, confirmed, events,
-           reports, moments, orders, further, faults, fault_since, marks, held, hints, heard, judged, waiting,
-           unasked, growth, questions, aids, ghost_on, hint_asked] = self;
+           own_due, intervened, question, heard_at, spoke_at, misled_at, tried, trouble, told, confirmed,
+           events, reports, moments, orders, further, faults, fault_since, marks, held, hints, heard, judged,
+           waiting, unasked, growth, questions, aids, ghost_on, hint_asked] = self;
     WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up,
                    seed, own_due, intervened, question, heard_at, spoke_at, misled_at, confirmed);
+    v.whole({"trouble"}, trouble);
     for (auto& shackles : told)
         v.field({"told"}, shackles);
     const auto last_of_orders = static_cast<int>(orders.size()) - 1;

@@ -189,6 +189,8 @@ struct State {
     /// Figures that differ and were not so, in answer to what it asked last: his answer and what puts it
     /// right. A third, so or not, is a guess.
     std::vector<Heard> tried;
+    /// Of a fault that stops the work, reported since the bridge's last word; text: none.
+    exercise::ReportCode trouble = exercise::ReportCode::text;
     std::array<double, 2> told{-1, -1}; ///< shackles in the pipe as last reported; -1: never
     bool confirmed = false;
     std::vector<Came> events, reports, moments;

@@ -17,7 +17,7 @@
 
 namespace windlass::exercise {
 
-inline constexpr std::uint32_t kCheckpointFormat = 41;
+inline constexpr std::uint32_t kCheckpointFormat = 42;
 inline constexpr std::size_t kMaxText = 65536; ///< bytes of a text of a definition: its landmarks, its lesson
 
 /// Bytes that are no checkpoint, of another format, or of a server whose state has other fields.

@@ -695,6 +695,28 @@ TEST(Bridge, GoesOnByTheLessonWhereNothingIsProposed) {
     EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::secure);
 }
 
+// A bridge that was told why the cable stands, and asks how much is out as if it had not been, is deaf.
+TEST(Bridge, SaysWhatFaultItHasHeardOfWhenItAsksNext) {
+    Bridge bridge(kPayOut);
+    bridge.on(30);
+    bridge.report(ReportCode::no_power);
+    bridge.on(40);
+    ASSERT_EQ(bridge.said.size(), 2U);
+    EXPECT_EQ(bridge.said[1].code, BridgeOrderCode::how_much);
+    EXPECT_EQ(bridge.said[1].text, "understood, no power on windlass");
+    bridge.on(31);
+    ASSERT_EQ(bridge.said.size(), 3U);
+    EXPECT_EQ(bridge.said[2].text, "") << "once";
+
+    Bridge heaving(kHeave);
+    heaving.on(30);
+    heaving.report(ReportCode::does_not_run);
+    heaving.on(60);
+    ASSERT_EQ(heaving.said.size(), 2U);
+    EXPECT_EQ(heaving.said[1].text,
+              "understood, cable does not run; I say again; report \"heaving\" when it is so");
+}
+
 TEST(Bridge, InsistsOnAnOrderThatIsSafe) {
     Bridge bridge(kHeave); // 5 m of cable
     bridge.on(5);
