@@ -76,6 +76,24 @@ bool is_asked_for(const Lesson& lesson, ReportCode code, int side) {
     });
 }
 
+/// Whether what a report says is held against one instant, whoever takes it.
+bool is_looked_at_once(ReportCode code) {
+    return code == ReportCode::growing || words::row_of(code).half_off > 0;
+}
+
+/// Whether a criterion takes a report at this tick, so that it is told there.
+bool is_taken(const Heard& report, const Look& look) {
+    for (std::size_t k = 0; k < look.lesson.criteria.size(); ++k) {
+        const Criterion& one = look.lesson.criteria[k];
+        const Mark& mark = look.state.marks[k];
+        const bool his = report.side < 0 || report.side == one.side;
+        if (one.kind != CriterionKind::report || !his || !is_report(one, report.code)) continue;
+        const bool in_time = !one.orders.empty() || !one.from || mark.began >= 0;
+        if (in_time && (mark.decided < 0 || mark.decided == look.tick())) return true;
+    }
+    return false;
+}
+
 bool is_so(const Criterion& criterion, const JudgedReport& report, const Look& look) {
     if (criterion.truth != ReportTruth::growth) return look.holds(criterion.that);
     return look.state.growth.at(static_cast<std::size_t>(criterion.side)).nearly(report.growing);
@@ -91,7 +109,9 @@ void lay_unasked(Lesson& lesson, const std::vector<int>& sides) {
     for (const int side : sides)
         for (std::size_t place = 0; place < words::kReportNames.size(); ++place) {
             const auto code = static_cast<ReportCode>(place);
-            if (!can_be_told(code) || is_asked_for(lesson, code, side)) continue;
+            // A figure may be asked for at one time, and said at another.
+            const bool may_be_taken = is_asked_for(lesson, code, side) && !is_looked_at_once(code);
+            if (!can_be_told(code) || may_be_taken) continue;
             Criterion to{.id = {}, .text = {}, .kind = CriterionKind::report, .side = side, .report = code};
             if (!lay_usual_truth(lesson, to)) continue;
             if (to.truth == ReportTruth::moment) {
@@ -108,6 +128,7 @@ void lay_unasked(Lesson& lesson, const std::vector<int>& sides) {
 
 void take_unasked(const Heard& report, const Look& look) {
     if (report.side < 0 && look.lesson.two_sides) return; // of which of the two he speaks nobody knows
+    if (is_taken(report, look)) return;
     for (std::size_t k = 0; k < look.lesson.unasked.size(); ++k) {
         const Criterion& criterion = look.lesson.unasked[k];
         const exercise::TackleView* tackle = tackle_of(look.seen, criterion.side);

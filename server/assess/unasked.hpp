@@ -1,6 +1,6 @@
 #pragma once
-// Reports that no criterion of a lesson asks for: those that were false are told beside the marks, and cost
-// nothing.
+// Reports that no criterion of a lesson asks for, or none at that time: those that were false are told beside
+// the marks, and cost nothing.
 
 #include "server/assess/marks.hpp"
 

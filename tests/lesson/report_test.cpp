@@ -449,6 +449,32 @@ TEST(Reports, ThatNobodyAskedForAreToldWhereTheyWereFalseAndCostNothing) {
     EXPECT_EQ(course.mark().state, before.state);
 }
 
+// A criterion takes a lead once it is asked for, and one. What is said before and after is of something else,
+// and not for that so.
+TEST(Reports, OfAFigureThatAreFalseAtATimeWhenNobodyAsksAreTold) {
+    Course course(reporting("lead", R"(, "from": {"shackles": 3})"));
+    course.chain().lead_clock = 12;
+    const auto says = [&](int lead) {
+        course.report({.code = ReportCode::lead, .side = 0, .lead = lead});
+        course.run(1);
+    };
+    course.run(1);
+    says(6);
+    ASSERT_EQ(course.now().reports.size(), 1U);
+    EXPECT_EQ(course.now().reports[0].criterion, "") << "before it is asked for";
+    says(12);
+    EXPECT_EQ(course.now().reports.size(), 1U) << "it was so";
+    course.chain().cable_out = 4 * 27.5;
+    course.run(1);
+    says(12);
+    ASSERT_EQ(course.now().reports.size(), 2U);
+    EXPECT_EQ(course.now().reports[1].criterion, "r");
+    says(6);
+    ASSERT_EQ(course.now().reports.size(), 3U);
+    EXPECT_EQ(course.now().reports[2].criterion, "") << "after it has its mark";
+    EXPECT_EQ(course.mark().milli, 1000);
+}
+
 // To an order he answers, also where he has said it before; that he did is told.
 TEST(Reports, OfAStateThatWereMadeBeforeTheyWereAskedForAreToldAndDoNotCount) {
     Course course(reporting("secured", R"(, "from": {"shackles": 3})"));
