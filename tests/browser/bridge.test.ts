@@ -165,6 +165,11 @@ describe("the helm", () => {
     await rig.truly("to port while the key is held", ({ ship }) => ship.bow_thruster < -0.4);
     await page.keyboard.up(",");
     await rig.truly("and no longer", ({ ship }) => ship.bow_thruster === 0);
+    await page.keyboard.down(",");
+    await rig.truly("to port again", ({ ship }) => ship.bow_thruster < -0.4);
+    await page.evaluate(() => dispatchEvent(new Event("blur")));
+    await rig.truly("the hand leaves it with the window's focus", ({ ship }) => ship.bow_thruster === 0);
+    await page.keyboard.up(",");
   });
 
   test("by gamepad: stick, d-pad, triggers; an unplugged one lets go", async () => {

@@ -23,6 +23,7 @@ const kDead = 0.12; // of a stick's way
 /** Calls back acts that are not the helm's: F2, F3, ?. */
 export function listenToKeys(helm: HelmHand, acts: Record<string, () => void>): void {
   const thrust = (key: string): number => (key === "," || key === "<" ? -1 : key === "." || key === ">" ? 1 : 0);
+  let pushes = false;
   addEventListener("keydown", (event) => {
     const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
     if (typing || event.ctrlKey || event.altKey || event.metaKey || typeIntoOpenPad(event)) return;
@@ -34,13 +35,20 @@ export function listenToKeys(helm: HelmHand, acts: Record<string, () => void>): 
     else if (event.key === "a") stepRudder(helm, -1);
     else if (event.key === "d") stepRudder(helm, 1);
     else if (event.key === "z") helm.put({ rudder: 0 });
-    else if (side !== 0) helm.put({ bow_thruster: side * (event.shiftKey ? 1 : kThrust) });
-    else return;
+    else if (side !== 0) {
+      pushes = true;
+      helm.put({ bow_thruster: side * (event.shiftKey ? 1 : kThrust) });
+    } else return;
     event.preventDefault();
   });
-  addEventListener("keyup", (event) => {
-    if (thrust(event.key) !== 0 && helm.thrustersSpring) helm.put({ bow_thruster: 0 });
-  });
+  const leave = (): void => {
+    if (pushes && helm.thrustersSpring) helm.put({ bow_thruster: 0 });
+    pushes = false;
+  };
+  addEventListener("keyup", (event) => thrust(event.key) !== 0 && leave());
+  // Of a key that is let go elsewhere no page hears.
+  addEventListener("blur", leave);
+  document.addEventListener("visibilitychange", () => document.hidden && leave());
 }
 
 /** The standard mapping's gamepad, asked each frame. */
