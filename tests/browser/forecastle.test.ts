@@ -6,7 +6,7 @@ import { after, afterEach, before, describe, test } from "node:test";
 import type { Locator } from "playwright-core";
 
 import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
-import { hadNoProblems, hasPalettes, passesAxe, unreachable } from "./pages";
+import { hadNoProblems, hasPalettes, holdDown, passesAxe, unreachable } from "./pages";
 import { type Station, Rig, eventually, sleep } from "./rig";
 
 const kWheelTurns = 5;
@@ -245,10 +245,37 @@ describe("by mouse", () => {
     await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
     await hold(clutch);
     await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "CLUTCH_OUT");
+    await eventually("it is seen to", async () =>
+      /^(SEEKING|IN)$/.test((await page.locator(".control.clutch .row strong").textContent()) ?? ""),
+    );
     await hold(clutch);
     await rig.truly("the clutch is out", ({ port }) => port.windlass.clutch === "CLUTCH_OUT");
     await hold(stopper);
     await rig.truly("the stopper is on", ({ port }) => port.windlass.stopper_closed);
+  });
+
+  test("a clutch that bears does not come out: it says so, and its button offers it as it stands", async () => {
+    await hold(stopper);
+    await hold(clutch);
+    await rig.truly("the clutch is in", ({ port }) => port.windlass.clutch === "CLUTCH_IN");
+    await page.keyboard.press("0"); // the weight comes onto the clutch
+    await rig.truly("the brake is open", ({ port }) => port.windlass.brake_position < 0.01);
+    const control = page.locator(".control.clutch");
+    const refusals = page.locator(".log li", { hasText: "clutch is loaded and does not come out" });
+    for (const tries of [1, 2]) {
+      await holdDown(page, clutch());
+      await eventually("it is refused", async () => (await refusals.count()) === tries);
+      await eventually("it says why", async () =>
+        /^under load:/.test((await control.locator(".reason").textContent()) ?? ""),
+      );
+      assert.equal(await control.locator(".row strong").textContent(), "IN");
+      assert.equal(await clutch().textContent(), "Hold: take out");
+    }
+    await secure();
+    await hold(clutch);
+    await rig.truly("the clutch is out", ({ port }) => port.windlass.clutch === "CLUTCH_OUT");
+    await hold(stopper);
+    await rig.truly("as before", ({ port }) => port.windlass.stopper_closed);
   });
 
   test("the emergency stop latches at one touch and is released by holding", async () => {

@@ -177,14 +177,18 @@ export class LeverHand {
   }
 
   /**
-   * The stopper's bar does not go where this hand wants it: the hand leaves it as it stands, else it would go there by
-   * itself as soon as it can, with nobody at it. Returns how it stands; undefined: it was no try of this hand.
+   * A lever of two places does not go where this hand wants it: the hand leaves it as it stands, else it would go there
+   * by itself as soon as it can, with nobody at it. Returns how it stands; undefined: it was no try of this hand, or a
+   * clutch that seeks: that waits for its claws.
    */
-  leaveStopper(): boolean | undefined {
-    const closed = this.link.latest("ForecastleView", this.side)?.stopper_closed;
-    if (closed === undefined || !this.mine || this.mine.stopper_closed === closed || !this.movable()) return undefined;
-    this.put({ stopper_closed: closed });
-    return closed;
+  leave(lever: "clutch_in" | "stopper_closed"): boolean | undefined {
+    const view = this.link.latest("ForecastleView", this.side);
+    if (!view || !this.mine || !this.movable()) return undefined;
+    if (lever === "clutch_in" && view.clutch === ClutchState.CLUTCH_ENGAGING) return undefined;
+    const stands = lever === "clutch_in" ? view.clutch === ClutchState.CLUTCH_IN : view.stopper_closed;
+    if (this.mine[lever] === stands) return undefined;
+    this.put({ [lever]: stands });
+    return stands;
   }
 
   /** Gives the levers out of this hand; the speed lever goes to zero first. */

@@ -40,6 +40,7 @@ export class Stand {
   private readonly notice = h("p", { class: "notice", role: "status", "aria-live": "assertive" });
   private noticeUntil = 0;
   private leftHidden = false;
+  private readonly clutchRefused = new Map<number, number>(); // by side, the tick: until a view shows it
   private readonly sideListeners = new Set<(side: number) => void>();
 
   constructor(private readonly link: Connection) {
@@ -57,7 +58,7 @@ export class Stand {
       push: (to) => this.hand.pushSpeed(to),
       release: () => this.hand.releaseSpeed(),
     });
-    this.clutch = new Clutch(() => this.hand.put({ clutch_in: !this.hand.levers()?.clutch_in }));
+    this.clutch = new Clutch((in_) => this.hand.put({ clutch_in: in_ }));
     this.stopper = new Stopper((closed) => this.hand.put({ stopper_closed: closed }));
     this.stop = new EmergencyStop((on) => this.hand.put({ emergency_stop: on }));
     this.practice = new Practice(link, "forecastle");
@@ -98,10 +99,12 @@ export class Stand {
       if (topic !== "WindlassCommand" || (id !== null && id !== undefined)) return;
       for (const hand of this.hands) if (link.holds(hand.side)) this.lost(hand.side, `${text}`);
     });
-    link.on("ForecastleEvent", ({ code, side }) => {
-      const closed = code === "stopper.refused" ? this.hands[side]?.leaveStopper() : undefined;
+    link.on("ForecastleEvent", ({ code, side, tick }) => {
+      if (code === "clutch.refused") this.clutchRefused.set(side, tick);
+      const closed = code === "stopper.refused" ? this.hands[side]?.leave("stopper_closed") : undefined;
       if (closed !== undefined) this.stopper.refuse(side, closed);
     });
+    link.on("ForecastleView", ({ side, tick }) => this.seeRefusal(side, tick));
     addEventListener("blur", () => this.release());
     document.addEventListener("visibilitychange", () => this.hide(document.hidden));
   }
@@ -163,8 +166,9 @@ export class Stand {
     this.wheel.show(levers.brake, view.brake_position, movable);
     this.speed.setDetents(tackle?.drive === "electric_pole_changing" ? kPoleDetents : kSteplessDetents);
     this.speed.show(levers.speed_lever, view.speed_lever, movable, this.hand.latched);
-    this.clutch.show(levers, view, turns, movable);
-    this.stopper.show(levers, view, movable, state === RunState.RUN_RUNNING);
+    const runs = state === RunState.RUN_RUNNING;
+    this.clutch.show(levers, view, turns, movable, runs);
+    this.stopper.show(levers, view, movable, runs);
     this.stop.show(levers, view, movable);
     const ghost = this.practice.hands(now, this.side_);
     this.wheel.showGhost(ghost?.brake_position);
@@ -186,6 +190,14 @@ export class Stand {
       this.leftHidden = false;
       this.tell(t("The page was hidden, and its levers were left: windows side by side keep them in hand."));
     }
+  }
+
+  /** A clutch that was refused is left, unless it seeks, which a view from before does not show. */
+  private seeRefusal(side: number, tick: number): void {
+    if (tick < (this.clutchRefused.get(side) ?? Infinity)) return;
+    this.clutchRefused.delete(side);
+    const stands = this.hands[side]?.leave("clutch_in");
+    if (stands !== undefined) this.clutch.refuse(side, stands);
   }
 
   private lost(side: number, why: string): void {

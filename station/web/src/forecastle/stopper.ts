@@ -7,8 +7,7 @@ import { h, setAttribute, setText, svg } from "../kit/dom";
 import { kHoldTime } from "./clutch";
 import { HoldGuard } from "../kit/hold_button";
 import { t } from "../kit/language";
-
-const kTold = 10_000; // ms for which it is said why the bar did not move
+import { Refusals } from "./refusals";
 
 /** Why the bar is not where it was wanted; empty: it is. refused: it was tried, and has not moved since. */
 export function stopperReason(levers: WindlassLevers, view: ForecastleView, refused: boolean): string {
@@ -25,7 +24,7 @@ export class Stopper {
   private readonly reason = h("p", { class: "reason", role: "status" });
   private readonly bar: SVGGElement;
   private closed = false; // what the button offers to change
-  private readonly refusals = new Map<number, { at: number; closed: boolean }>(); // by side; ms, and how the bar stood
+  private readonly refusals = new Refusals();
 
   /** put: closes or opens it. */
   constructor(put: (closed: boolean) => void) {
@@ -65,14 +64,12 @@ export class Stopper {
 
   /** The bar of that side did not move when it was tried, and stands so. */
   refuse(side: number, closed: boolean): void {
-    this.refusals.set(side, { at: performance.now(), closed });
+    this.refusals.add(side, closed);
   }
 
   /** runs: the exercise; else the bar goes where it is wanted as soon as it does, and until then may be wanted back. */
   show(levers: WindlassLevers, view: ForecastleView, movable: boolean, runs: boolean): void {
     const closed = view.stopper_closed;
-    const refusal = this.refusals.get(view.side);
-    const refused = refusal?.closed === closed && performance.now() - refusal.at < kTold;
     this.closed = runs ? closed : levers.stopper_closed;
     setAttribute(
       this.bar,
@@ -82,7 +79,7 @@ export class Stopper {
     setText(this.state, view.stopper_sprung ? t("SPRUNG") : closed ? t("ON") : t("OFF"));
     setText(this.button, this.closed ? t("Hold: lift") : t("Hold: close"));
     setAttribute(this.button, "aria-checked", `${this.closed}`);
-    setText(this.reason, runs ? stopperReason(levers, view, refused) : "");
+    setText(this.reason, runs ? stopperReason(levers, view, this.refusals.lately(view.side, closed)) : "");
     this.button.disabled = !movable;
   }
 }

@@ -271,13 +271,25 @@ test("what moves is sent every 40 ms at most, what has two places at once", (t) 
 
 test("a bar that does not move is left as it stands, and no other lever is", (t) => {
   const { link, hand: one } = hand(t);
-  assert.equal(one.leaveStopper(), undefined, "an event of another's try, or told again, takes nothing");
+  assert.equal(one.leave("stopper_closed"), undefined, "an event of another's try, or told again, takes nothing");
   assert.deepEqual(link.sent, []);
   one.put({ stopper_closed: true });
   one.put({ clutch_in: false });
-  assert.equal(one.leaveStopper(), false);
+  assert.equal(one.leave("stopper_closed"), false);
   assert.deepEqual(link.sent.at(-1), { ...kFound, speed_lever: 0, clutch_in: false });
-  assert.equal(one.leaveStopper(), undefined);
+  assert.equal(one.leave("stopper_closed"), undefined);
+});
+
+test("a clutch that does not come out, or in, is left as it stands; one that seeks waits for its claws", (t) => {
+  const { link, hand: one } = hand(t);
+  one.put({ clutch_in: false });
+  assert.equal(one.leave("clutch_in"), true, "under load");
+  assert.deepEqual(link.sent.at(-1), { ...kFound, speed_lever: 0 });
+  link.view = { ...link.view, clutch: ClutchState.CLUTCH_ENGAGING };
+  assert.equal(one.leave("clutch_in"), undefined);
+  link.view = { ...link.view, clutch: ClutchState.CLUTCH_OUT };
+  assert.equal(one.leave("clutch_in"), false, "broken, or seized");
+  assert.deepEqual(link.sent.at(-1), { ...kFound, speed_lever: 0, clutch_in: false });
 });
 
 test("an instructor who takes over is followed, and no hand moves against him", (t) => {
