@@ -33,18 +33,34 @@ struct Drawn {
 
 constexpr double kAlike = 0.5; // s, by which a ghost need not be moved
 
+/// s for which curves go on behind the lesson's end: how the last order was left is seen in what comes of it
+/// (a brake that is put on, a cable that stops), and what comes later would only press together what counts.
+constexpr double kAfterLesson = 30;
+
+/// s of exercise at which the curves of an attempt end.
+double curves_end(const Attempt& attempt) {
+    return std::min(attempt.ended, attempt.counted_end() + kAfterLesson);
+}
+
+/// What is drawn of a curve of that attempt.
+std::vector<Sample> drawn_of(const Series& series, const Attempt& attempt) {
+    std::vector<Sample> samples = series.samples();
+    std::erase_if(samples, [end = curves_end(attempt)](const Sample& each) { return each.time > end; });
+    return samples;
+}
+
 /// s of exercise at which the plots end.
 double end_of(const Attempt& attempt) {
-    return std::max(attempt.ended, attempt.began + kMinute);
+    return std::max(curves_end(attempt), attempt.began + kMinute);
 }
 
 std::string attempt_name(const Attempt& attempt) {
     return attempt.origin.recording;
 }
 
-/// "Largest of NAME 343 kN at 7:14, least 0 kN at 0:00."
-std::string extremes(const Drawn& drawn) {
-    const auto &most = drawn.series->largest(), &least = drawn.series->least();
+/// "NAME: largest 343 kN at 7:14, least 0 kN at 0:00." until: s of exercise
+std::string extremes(const Drawn& drawn, double until) {
+    const auto most = drawn.series->largest_until(until), least = drawn.series->least_until(until);
     if (!most) return {};
     const double step = std::abs(most->value) + std::abs(least->value) >= 20 ? 1 : 0.01;
     const std::string unit = drawn.unit.empty() ? "" : " " + std::string(drawn.unit);
@@ -86,19 +102,20 @@ std::string figure_of(const PageContext& page, const std::string& id, const std:
               .flags = {}};
     for (std::size_t style = 0; style < curves.size(); ++style) {
         const Drawn& each = curves[style];
-        plot.sentence += (plot.sentence.empty() ? "" : " ") + extremes(each);
+        plot.sentence += (plot.sentence.empty() ? "" : " ") + extremes(each, attempt.counted_until());
         // What the brake could hold is a multiple of what it has to: the axis is the load's.
         const bool sets_axis = each.name != windlass_curves()[kBrakeCapacity].name;
-        plot.lines.push_back({std::string(each.name), each.series->samples(), style, sets_axis, kOwn});
+        plot.lines.push_back(
+            {std::string(each.name), drawn_of(*each.series, attempt), style, sets_axis, kOwn});
         if (each.ghost != nullptr)
-            plot.lines.push_back(
-                {"the same, " + page.options.ghost->name, each.ghost->samples(), style, true, kGhost});
+            plot.lines.push_back({"the same, " + page.options.ghost->name,
+                                  drawn_of(*each.ghost, *page.options.ghost->attempt), style, true, kGhost});
     }
     for (std::size_t i = 0; i < others.size(); ++i) {
         if (others[i] == nullptr || others[i]->empty()) continue;
         const Attempt& other = *page.options.over[i];
         const Alignment alignment = align(attempt, other);
-        auto samples = others[i]->samples();
+        auto samples = drawn_of(*others[i], other);
         for (Sample& sample : samples)
             sample.time += alignment.shift;
         plot.lines.push_back({fmt::format("{} ({})", attempt_name(other), alignment.reason), samples, 0, true,
@@ -107,7 +124,7 @@ std::string figure_of(const PageContext& page, const std::string& id, const std:
     for (std::size_t i = 0; i < page.moments.size(); ++i)
         if (side < 0 || page.moments[i].side < 0 || page.moments[i].side == side)
             plot.flags.push_back({page.moments[i].time, fmt::format("{}", i + 1)});
-    return plot_figure(plot, 3, table_of(title, curves, attempt.began, attempt.ended));
+    return plot_figure(plot, 3, table_of(title, curves, attempt.began, curves_end(attempt)));
 }
 
 /// The plots of a table of curves. others: for each attempt laid over, its series in the order of the table;
@@ -127,13 +144,16 @@ std::string plots_of(const PageContext& page, const std::string& id, const std::
         for (; i < curves.size() && curves[i].plot == plot; ++i) {
             const Series& each = series[i];
             if (each.empty()) continue;
-            told = told || each.largest()->value >= kShown || each.least()->value <= -kShown;
+            told = told || std::ranges::any_of(drawn_of(each, page.attempt), [](const Sample& sample) {
+                       return std::abs(sample.value) >= kShown;
+                   });
             const Series* theirs =
                 ghost != nullptr && curves[i].ghost && !(*ghost)[i].empty() ? &(*ghost)[i] : nullptr;
             // A lever with two places is a strip.
             if (side >= 0 && (i == kClutch || i == kStopper))
-                strips.push_back({i == kClutch ? "clutch in" : "stopper", each.samples(),
-                                  theirs != nullptr ? theirs->samples() : std::vector<Sample>()});
+                strips.push_back({i == kClutch ? "clutch in" : "stopper", drawn_of(each, page.attempt),
+                                  theirs != nullptr ? drawn_of(*theirs, *page.options.ghost->attempt)
+                                                    : std::vector<Sample>()});
             else
                 drawn.push_back({curves[i].name, curves[i].unit, &each, theirs});
         }
@@ -213,6 +233,11 @@ std::string plots_part(const PageContext& page) {
         html += fmt::format(" style=\"--ghost-moved: {:.1f}px\"",
                             width_of(align(attempt, *ghost).shift, attempt.began, end_of(attempt)));
     html += ">\n<h2 id=\"plots\">Over time</h2>\n";
+    if (curves_end(attempt) < attempt.ended)
+        html +=
+            fmt::format("<p>The curves end at {}, {:.0f} s after the lesson; largest and least are those of "
+                        "the lesson.</p>\n",
+                        station::clock(curves_end(attempt)), kAfterLesson);
     if (ghost != nullptr)
         html += ghost_choice(page);
     else if (!page.options.no_ghost.empty())

@@ -116,6 +116,32 @@ TEST(DebriefTest, FiguresEndWithTheLessonAndWhatCameAfterItStandsUnderItsEnd) {
     EXPECT_LT(page.find("anchor on the bottom"), page.find(after));
 }
 
+TEST(DebriefTest, CurvesEndHalfAMinuteAfterTheLesson) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    attempt.assessment->time(1);  // and the exercise went on for a minute: the peak at 0:31.37 came then
+    const auto last_drawn = [&] { // px: the rightmost point of the lines of the first plot
+        const std::string page = page_of(attempt, {});
+        const auto from = page.find("<g class=\"lines\" clip-path=\"url(#port0-clip)\">");
+        const std::string lines = page.substr(from, page.find("</g>", from) - from);
+        static const std::regex point(R"([ML]([0-9.]+) )");
+        double last = 0;
+        for (std::sregex_iterator each(lines.begin(), lines.end(), point), none; each != none; ++each)
+            last = std::max(last, std::stod((*each)[1]));
+        return last;
+    };
+    const std::string page = page_of(attempt, {});
+    EXPECT_THAT(page, HasSubstr("The curves end at 0:31, 30 s after the lesson"));
+    EXPECT_THAT(page, HasSubstr("tension at the hawse pipe lip: largest 4.09 t at 0:01, least"));
+    const double cut = last_drawn();
+    attempt.assessment->time(20); // the plot stays a minute wide
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("largest 4.28 t at 0:20"));
+    EXPECT_NEAR(last_drawn() - cut, width_of(19, 0, 60), width_of(0.5, 0, 60));
+    attempt.assessment->time(40);
+    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("The curves end")));
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("largest 75 t at 0:31"));
+}
+
 TEST(DebriefTest, PageNeedsNothingBesideItself) {
     const Folder folder;
     const Attempt attempt = attempt_of(folder);
