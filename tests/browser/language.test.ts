@@ -128,6 +128,36 @@ test("an order that waits on the forecastle is in sight with its state and its b
   await closePage(page);
 });
 
+test("a gauge that has not measured yet says so without touching its scale or its name, at every size", async () => {
+  const page = await open("forecastle");
+  const close = page.getByRole("button", { name: "Schließen" });
+  await eventually("its briefing has opened by itself", () => close.isVisible());
+  await close.click();
+  const dial = page.getByRole("meter", { name: "Kettenlast" });
+  await eventually("it has not measured", () => dial.getByText("noch nicht gemessen").isVisible());
+  for (const [width, height] of [...kSizes, [1280, 800], [1280, 720], [820, 1180], [412, 915]]) {
+    await page.setViewportSize({ width, height });
+    const touched = await dial.evaluate((dial) => {
+      const linesOf = (part: Element) => {
+        const text = document.createRange();
+        text.selectNodeContents(part);
+        return [...text.getClientRects()];
+      };
+      const words = linesOf(dial.querySelector(".unit"));
+      return [...dial.querySelectorAll("svg text, .label")]
+        .filter((part) =>
+          linesOf(part).some(({ left, right, top, bottom }) =>
+            words.some((line) => left < line.right && right > line.left && top < line.bottom && bottom > line.top),
+          ),
+        )
+        .map((part) => part.textContent);
+    });
+    assert.deepEqual(touched, [], `${width}x${height}`);
+  }
+  hadNoProblems(page);
+  await closePage(page);
+});
+
 /**
  * Parts of the stand that lie beyond its edges, and words of its head that have no room. men: what their button says,
  * put there at once: between two pictures nobody writes over it.
