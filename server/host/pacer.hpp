@@ -6,7 +6,7 @@
 
 namespace windlass::host {
 
-/// Says when the next beat is due. A beat is the ticks of ten milliseconds, or one that is longer. A beat
+/// Says when the next beat is due. A beat is as many ticks as go into 10 ms, one at least. A beat
 /// that ends after the next one was due is an overrun: it is counted and the time lost is not chased.
 class Pacer {
 public:
